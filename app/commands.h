@@ -1,0 +1,22 @@
+// The commands of contract.md 3. Each file in app/commands/ declares one: it adds
+// itself to the parser and does its work in the callback. Errors are thrown and
+// become messages and exit codes in main, once.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace promenade::app {
+
+void add_set_command(CLI::App& program);
+void add_motion_command(CLI::App& program);
+void add_check_command(CLI::App& program);
+void add_plan_command(CLI::App& program);
+void add_run_command(CLI::App& program);
+void add_simulate_command(CLI::App& program);
+void add_model_command(CLI::App& program);
+void add_report_command(CLI::App& program);
+void add_stats_command(CLI::App& program);
+// Those of the contract that are not there yet: they say so, exit code 1.
+void add_missing_commands(CLI::App& program);
+
+}  // namespace promenade::app

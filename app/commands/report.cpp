@@ -1,0 +1,12 @@
+#include "app/commands.h"
+#include "motion/problem.h"
+
+namespace promenade::app {
+
+void add_report_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("report", "(not in this version yet)");
+  command->allow_extras();
+  command->callback([] { throw OutsideError("report is not in this version of Promenade yet"); });
+}
+
+}  // namespace promenade::app

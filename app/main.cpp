@@ -1,0 +1,45 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "motion/problem.h"
+
+namespace {
+
+int run(int argc, char** argv) {
+  CLI::App program("Promenade runs user studies of motion-style interfaces.", "promenade");
+  program.set_version_flag("--version", "promenade " PROMENADE_VERSION);
+  program.require_subcommand(1);
+  namespace app = promenade::app;
+  app::add_check_command(program);
+  app::add_plan_command(program);
+  app::add_run_command(program);
+  app::add_simulate_command(program);
+  app::add_report_command(program);
+  app::add_stats_command(program);
+  app::add_set_command(program);
+  app::add_motion_command(program);
+  app::add_model_command(program);
+  app::add_missing_commands(program);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? 0 : 2;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const promenade::InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "promenade: %s\n", error.what());
+    return 1;
+  }
+}

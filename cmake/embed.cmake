@@ -1,0 +1,12 @@
+# Writes OUT: every configs/**/*.toml as a string, sorted by path.
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.toml)
+list(SORT files)
+set(text "// Made by cmake/embed.cmake from configs/.\n#include \"study/embedded.h\"\n\n")
+string(APPEND text "namespace promenade::study {\n\nstd::span<const EmbeddedFile> embedded_files() {\n")
+string(APPEND text "  static constexpr EmbeddedFile files[] = {\n")
+foreach(file ${files})
+  file(READ ${ROOT}/${file} content)
+  string(APPEND text "      {\"${file}\", R\"~~embedded~~(${content})~~embedded~~\"},\n")
+endforeach()
+string(APPEND text "  };\n  return files;\n}\n\n}  // namespace promenade::study\n")
+file(WRITE ${OUT} "${text}")

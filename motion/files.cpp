@@ -1,0 +1,63 @@
+#include "motion/files.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+#include "motion/problem.h"
+
+namespace promenade {
+namespace {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+[[noreturn]] void cannot_write(const std::filesystem::path& path, int error) {
+  throw OutsideError("cannot write " + path.string() + ": " + std::strerror(error) +
+                     "; choose another place or make room");
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path.string(), "is a folder; a file is wanted here");
+  }
+  File file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+  std::string bytes;
+  char block[1 << 16];
+  while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
+    bytes.append(block, count);
+  }
+  if (std::ferror(file.get())) throw InputError(path.string(), "cannot be read to its end");
+  return bytes;
+}
+
+void write_file(const std::filesystem::path& path, std::string_view bytes) {
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  if (error) cannot_write(path.parent_path(), error.value());
+  std::filesystem::path beside = path;
+  beside += "." + std::to_string(::getpid()) + ".part";
+  File file(std::fopen(beside.c_str(), "wb"));
+  if (!file) cannot_write(path, errno);
+  const bool whole = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size() &&
+                     std::fflush(file.get()) == 0 && ::fsync(::fileno(file.get())) == 0;
+  const int write_error = errno;
+  file.reset();
+  if (whole) std::filesystem::rename(beside, path, error);
+  if (whole && !error) return;
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  cannot_write(path, whole ? error.value() : write_error);
+}
+
+}  // namespace promenade

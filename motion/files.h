@@ -1,0 +1,18 @@
+// Whole files in and out. A written file appears complete or not at all.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace promenade {
+
+// The bytes of a file. Throws InputError when it is missing, a folder or
+// unreadable.
+std::string read_file(const std::filesystem::path& path);
+
+// Writes beside the target and renames: a killed program leaves the old file or
+// the new one. Makes missing folders. Throws OutsideError.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace promenade

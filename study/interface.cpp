@@ -1,0 +1,22 @@
+#include "study/interface.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace promenade::study {
+
+void InterfaceRegistry::add(InterfaceType type) {
+  assert(!find(type.name) && "an interface is declared once");
+  types_.push_back(std::move(type));
+  std::sort(types_.begin(), types_.end(),
+            [](const InterfaceType& a, const InterfaceType& b) { return a.name < b.name; });
+}
+
+const InterfaceType* InterfaceRegistry::find(std::string_view name) const {
+  for (const InterfaceType& type : types_) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
+
+}  // namespace promenade::study

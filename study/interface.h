@@ -1,0 +1,83 @@
+// What an interface is: a map from its controls to N weights over the motion
+// set. One declaration fills in everything that the rest of the program needs;
+// app/interfaces/NAME.cpp holds it, and adding an interface touches nothing else.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "motion/motion_space.h"
+#include "study/rng.h"
+
+namespace promenade::study {
+
+// What a person did to one control, as it is logged and replayed.
+struct ControlInput {
+  std::string kind;      // "pick", "slide", "only", ...
+  std::string target;    // which control, by the interface's own word: "happy"
+  double value = 0;      // where it was set, in the control's unit
+  double x = 0, y = 0;   // for controls of two dimensions
+  std::int64_t t_us = 0;  // microseconds since the session began
+};
+
+using ParameterValue = std::variant<bool, double, std::string>;
+using Parameters = std::map<std::string, ParameterValue, std::less<>>;
+
+// A key that [[interface]] in a study file may set.
+struct ParameterSpec {
+  std::string name;
+  ParameterValue standard;           // its type is the type that is allowed
+  std::vector<std::string> choices;  // for strings; empty: any
+  std::string sentence;              // with its unit; goes to docs/interfaces.md
+};
+
+struct InterfaceContext {
+  const motion::MotionSpace& space;
+  const Parameters& parameters;  // complete: standards filled in
+  Eigen::VectorXd start;         // N, the weights that are shown until a control is touched
+  std::uint64_t seed;            // for interfaces that draw random numbers
+};
+
+// The controls of an interface during one trial. No clock, no I/O, no UI.
+class InterfaceState {
+ public:
+  virtual ~InterfaceState() = default;
+  virtual std::unique_ptr<InterfaceState> clone() const = 0;
+  // Changes the controls. False: no such control or value here, nothing changed.
+  virtual bool apply(const ControlInput& input) = 0;
+  // N weights that sum to 1, a function of the inputs and the time alone.
+  virtual Eigen::VectorXd weights(std::int64_t t_us) const = 0;
+};
+
+// Where an interface draws itself; app/panel.h defines it, study/ passes it along.
+class InterfacePanel;
+
+struct InterfaceType {
+  std::string name;      // as study files say it: "labels"
+  std::string sentence;  // what it is, for docs/interfaces.md
+  std::vector<ParameterSpec> parameters;
+  std::vector<std::string> texts;  // keys of configs/languages/*.toml that it shows
+  std::function<std::unique_ptr<InterfaceState>(const InterfaceContext&)> start;
+  // What a person might do next; the simulated participant chooses among these.
+  std::function<std::vector<ControlInput>(const InterfaceState&, Rng&)> simulate;
+  // Draws the controls and reports what was done to them to the panel.
+  std::function<void(const InterfaceState&, InterfacePanel&)> draw;
+};
+
+class InterfaceRegistry {
+ public:
+  void add(InterfaceType type);
+  const InterfaceType* find(std::string_view name) const;  // null: none
+  const std::vector<InterfaceType>& all() const { return types_; }
+
+ private:
+  std::vector<InterfaceType> types_;  // by name
+};
+
+}  // namespace promenade::study

@@ -1,0 +1,21 @@
+// The tables of a study's database (contract.md, 6) and the sentence that
+// describes each column.
+#pragma once
+
+#include <string>
+
+namespace promenade::study {
+
+class Database;
+
+inline constexpr int application_id = 0x50524d44;  // "PRMD"
+inline constexpr int schema_version = 1;           // PRAGMA user_version
+
+// Makes all tables in an empty database and fills `dictionary`.
+void create_tables(Database& database);
+
+// Throws InputError when the file is no database of Promenade, or of a newer
+// version. Opens nothing for writing.
+void check_database(Database& database);
+
+}  // namespace promenade::study

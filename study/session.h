@@ -1,0 +1,137 @@
+// A session as a pure function: step(input) changes the state and returns what
+// is to be logged. No clock, no I/O, no UI: time is a value in the input, so a
+// whole session is a loop in a test, and a replay is the same loop.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "study/interface.h"
+#include "study/plan.h"
+
+namespace promenade::study {
+
+enum class Actor { participant, system, experimenter };
+enum class Outcome { running, finished, declined, withdrawn, stopped };
+enum class TrialOutcome { success, timeout, done, skipped, aborted };
+
+std::string_view to_text(Actor actor);
+std::string_view to_text(Outcome outcome);
+std::string_view to_text(TrialOutcome outcome);
+
+// What can happen to a session.
+struct Tick {};                // time passed
+struct Continue {};            // the page's main button
+struct Decline {};             // no consent
+struct Press {};               // a mouse button went down: Input::x, y in pixels
+struct Done {};                // the participant ends the trial
+struct StartOver {};           // back to the state in which the trial began
+struct Control { ControlInput input; };  // its t_us is set by step from Input::t_us
+struct SetAnswer { std::string item; double value = 0; };
+struct Camera { double yaw = 0, pitch = 0, zoom = 1; };  // radians; 1 as at the start
+struct LateFrame { std::int64_t late_us = 0; };
+struct Stop { std::string reason; };  // the window is closed, the experimenter ends it
+
+struct Input {
+  std::int64_t t_us = 0;           // since the session began; never goes back
+  std::int64_t uncertainty_us = 0;
+  std::int64_t frame_us = -1;      // when the frame on screen was shown; -1: none
+  Actor actor = Actor::participant;
+  double x = 0, y = 0;             // pointer, pixels
+  std::variant<Tick, Continue, Decline, Press, Done, StartOver, Control, SetAnswer, Camera,
+               LateFrame, Stop>
+      action;
+};
+
+// What is logged: one for each row of the database, in order.
+struct TrialStarted {
+  int trial = 0;  // index into Plan::trials
+  std::int64_t t_us = 0;
+  std::optional<double> d_first;
+};
+struct Event {
+  int trial = -1;  // -1: outside trials
+  std::int64_t t_us = 0, uncertainty_us = 0, frame_us = -1;
+  Actor actor = Actor::system;
+  std::string kind, target;
+  std::optional<double> value, x, y;
+  std::string detail;  // JSON; empty: none
+};
+struct Sample {
+  int trial = 0;
+  std::int64_t t_us = 0;
+  std::optional<double> d;
+  Eigen::VectorXd weights;
+};
+struct Answer {
+  int trial = -1;
+  std::int64_t t_us = 0;
+  std::string instrument, version, item;
+  std::optional<double> value;
+  std::string text;
+  bool declined = false, touched = true;
+};
+struct TrialEnded {
+  int trial = 0;
+  std::int64_t t_us = 0;
+  TrialOutcome outcome = TrialOutcome::done;
+  std::optional<double> d_best, d_final, d_sum, seconds_difference;
+  std::optional<std::int64_t> first_below_us;
+  int clicks = 0, changes = 0, late_frames = 0;
+};
+struct SessionEnded {
+  std::int64_t t_us = 0;
+  Outcome outcome = Outcome::finished;
+};
+using Record = std::variant<TrialStarted, Event, Sample, Answer, TrialEnded, SessionEnded>;
+
+// The running trial, for the screen.
+struct TrialState {
+  int index = 0;  // into Plan::trials
+  std::int64_t started_us = 0;
+  std::unique_ptr<InterfaceState> interface;
+  bool touched = false;              // false: the start is shown, whatever the controls say
+  Eigen::VectorXd weights;           // shown now
+  motion::Cycle cycle;               // of these weights
+  std::optional<motion::Cycle> target;
+  std::optional<double> d;           // of what is shown
+  std::optional<std::int64_t> below_since_us;  // D is below the threshold, unchanged since
+  TrialEnded summary;                // filled as it goes
+};
+
+class Session {
+ public:
+  // Both outlive the session. The first page is open when it returns.
+  Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan);
+  Session(Session&&) noexcept;
+  ~Session();
+
+  // Time limits and dwell times that passed before the input come first, stamped
+  // with their own time. Records are returned in the order of their times.
+  std::vector<Record> step(const Input& input);
+
+  const Plan& plan() const { return plan_; }
+  const Page& page() const;                  // what is on screen
+  const TrialState* trial() const;           // null outside trial pages
+  Outcome outcome() const { return outcome_; }
+  bool ended() const { return outcome_ != Outcome::running; }
+  // Answers given on this rating page so far; Continue needs all of them.
+  const std::vector<std::optional<double>>& answers() const { return answers_; }
+  bool can_continue() const;
+
+ private:
+  struct Steps;  // what each action does: session.cpp
+  const StudyBundle* bundle_;
+  const InterfaceRegistry* registry_;
+  Plan plan_;
+  std::size_t page_ = 0;
+  Outcome outcome_ = Outcome::running;
+  std::optional<TrialState> trial_;
+  std::vector<std::optional<double>> answers_;
+};
+
+}  // namespace promenade::study

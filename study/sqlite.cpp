@@ -1,0 +1,144 @@
+#include "study/sqlite.h"
+
+#include <sqlite3.h>
+
+#include <utility>
+
+namespace promenade::study {
+namespace {
+
+[[noreturn]] void fail(const std::string& file, int code, const char* message) {
+  throw DatabaseError(code, file + ": " + (message ? message : sqlite3_errstr(code)));
+}
+
+int open_flags(Database::Mode mode) {
+  switch (mode) {
+    case Database::Mode::read_only: return SQLITE_OPEN_READONLY;
+    case Database::Mode::read_write: return SQLITE_OPEN_READWRITE;
+    case Database::Mode::create: return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return SQLITE_OPEN_READONLY;
+}
+
+}  // namespace
+
+Database::Database(const std::string& file, Mode mode) : file_(file) {
+  const int code = sqlite3_open_v2(file.c_str(), &handle_, open_flags(mode), nullptr);
+  if (code != SQLITE_OK) {
+    const std::string message = handle_ ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
+    sqlite3_close_v2(handle_);
+    fail(file, code, message.c_str());
+  }
+  sqlite3_busy_timeout(handle_, 2000);
+}
+
+Database::~Database() { sqlite3_close_v2(handle_); }
+
+Database::Database(Database&& other) noexcept
+    : file_(std::move(other.file_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+void Database::exec(const std::string& sql) {
+  char* message = nullptr;
+  const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, &message);
+  if (code == SQLITE_OK) return;
+  const std::string text = message ? message : sqlite3_errstr(code);
+  sqlite3_free(message);
+  fail(file_, code, text.c_str());
+}
+
+Statement::Statement(Database& database, std::string_view sql) : database_(&database) {
+  check(sqlite3_prepare_v2(database.handle(), sql.data(), static_cast<int>(sql.size()), &handle_,
+                           nullptr));
+}
+
+Statement::~Statement() { sqlite3_finalize(handle_); }
+
+Statement::Statement(Statement&& other) noexcept
+    : database_(other.database_), handle_(std::exchange(other.handle_, nullptr)) {}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) fail(database_->file(), code, sqlite3_errmsg(database_->handle()));
+}
+
+Statement& Statement::bind(int index, std::int64_t value) {
+  check(sqlite3_bind_int64(handle_, index, value));
+  return *this;
+}
+
+Statement& Statement::bind(int index, double value) {
+  check(sqlite3_bind_double(handle_, index, value));
+  return *this;
+}
+
+Statement& Statement::bind(int index, std::string_view text) {
+  check(sqlite3_bind_text64(handle_, index, text.data(), text.size(), SQLITE_TRANSIENT,
+                            SQLITE_UTF8));
+  return *this;
+}
+
+Statement& Statement::bind_blob(int index, std::string_view bytes) {
+  check(sqlite3_bind_blob64(handle_, index, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+  return *this;
+}
+
+Statement& Statement::bind_null(int index) {
+  check(sqlite3_bind_null(handle_, index));
+  return *this;
+}
+
+bool Statement::step() {
+  const int code = sqlite3_step(handle_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  const std::string message = sqlite3_errmsg(database_->handle());
+  sqlite3_reset(handle_);
+  fail(database_->file(), code, message.c_str());
+}
+
+void Statement::run() {
+  while (step()) {
+  }
+  reset();
+}
+
+void Statement::reset() { sqlite3_reset(handle_); }
+
+int Statement::columns() const { return sqlite3_column_count(handle_); }
+
+std::string Statement::column_name(int column) const {
+  return sqlite3_column_name(handle_, column);
+}
+
+bool Statement::is_null(int column) const {
+  return sqlite3_column_type(handle_, column) == SQLITE_NULL;
+}
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
+
+double Statement::real(int column) const { return sqlite3_column_double(handle_, column); }
+
+std::string Statement::text(int column) const {
+  const unsigned char* text = sqlite3_column_text(handle_, column);
+  return text ? reinterpret_cast<const char*>(text) : "";
+}
+
+std::string_view Statement::blob(int column) const {
+  const void* bytes = sqlite3_column_blob(handle_, column);
+  return {static_cast<const char*>(bytes),
+          static_cast<std::size_t>(sqlite3_column_bytes(handle_, column))};
+}
+
+Transaction::Transaction(Database& database) : database_(database) {
+  database_.exec("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction() {
+  if (open_) sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void Transaction::commit() {
+  database_.exec("COMMIT");
+  open_ = false;
+}
+
+}  // namespace promenade::study

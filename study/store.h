@@ -1,0 +1,60 @@
+// The log of sessions in SQLite: one file per study and station, WAL.
+//
+// write() puts a record into the open transaction; flush() commits it without
+// waiting for the disk (it survives a kill of the program) and belongs into the
+// frame, at least every 50 ms; a TrialEnded or SessionEnded record is committed
+// durably at once (it survives a power cut). Checkpoints run between trials only.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "study/session.h"
+
+namespace promenade::study {
+
+struct SessionHeader {
+  std::string participant;  // code
+  std::string station = "1";
+  std::string language = "en";
+  bool simulated = false, pilot = false;
+  std::string machine = "{}";  // JSON
+  std::string started_utc;     // ISO 8601
+  // Empty: drawn at random. Simulations give their own.
+  std::string uuid;
+};
+
+class Store {
+ public:
+  // Opens the file or makes it, and puts the study and its motion set in. Throws
+  // InputError when the file belongs to another program or another study, and
+  // OutsideError when it cannot be written.
+  Store(const std::filesystem::path& file, const StudyBundle& bundle);
+  ~Store();
+  Store(const Store&) = delete;
+  Store& operator=(const Store&) = delete;
+
+  // The order that the next session gets: the one with the fewest finished or
+  // running sessions of the same kind (real, pilot, simulated), the lowest first.
+  int next_sequence(bool simulated, bool pilot);
+  bool knows_participant(const std::string& code);
+  // "S001", "S002", ...: the next free code of a simulated participant.
+  std::string next_simulated_code();
+
+  void begin_session(const SessionHeader& header, const Plan& plan);
+  void write(const Record& record);
+  void flush();
+  void end_session(const std::string& ended_utc);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+// "2026-11-22T16:02:29Z": the only place that reads the wall clock.
+std::string utc_now();
+std::string random_uuid();
+std::string sha256_hex(std::string_view bytes);
+
+}  // namespace promenade::study

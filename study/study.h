@@ -1,0 +1,90 @@
+// What a study is, as its file says it (docs/experimenters.md describes the
+// file), and with everything it names at hand.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/distance.h"
+#include "motion/motion_space.h"
+#include "motion/problem.h"
+#include "study/interface.h"
+#include "study/texts.h"
+
+namespace promenade::study {
+
+// [[interface]]: one condition of the study.
+struct InterfaceUse {
+  std::string name;       // as in the results; the type's name unless given
+  std::string type;       // in the registry
+  Parameters parameters;  // complete
+};
+
+// What a trial asks for: a motion to reproduce, or a quality to find.
+struct Target {
+  std::string name;                        // as in the results
+  std::optional<Eigen::VectorXd> weights;  // N; nothing in tasks without a target motion
+  LocalText quality;                       // the asked word in each language (find)
+};
+
+enum class TaskKind { match, find };
+
+// [[task]]
+struct Task {
+  std::string name;
+  TaskKind kind = TaskKind::match;
+  std::optional<double> limit_s;      // nothing: as long as it takes
+  std::optional<double> threshold_m;  // D that wins (match); nothing: only Done ends it
+  std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
+  std::vector<int> interfaces;        // indices into Study::interfaces
+  std::vector<Target> targets;
+  std::vector<Target> practice;       // targets of practice trials, per interface
+};
+
+// [[rating]]: a question after each trial on a scale of `points`.
+struct Rating {
+  std::string item;
+  LocalText question, low, high;
+  int points = 7;
+};
+
+enum class Order { williams, latin, random, fixed };
+
+struct Study {
+  std::string name, version = "1";
+  std::string set = "builtin:A";
+  std::vector<std::string> languages = {"en"};
+  std::uint64_t seed = 1;
+  Order order = Order::williams;
+  bool paper_colours = false;
+  std::vector<InterfaceUse> interfaces;
+  std::vector<Task> tasks;
+  std::vector<Rating> ratings;
+  LocalText title, consent;  // own texts of the study
+};
+
+// A study, ready to run.
+struct StudyBundle {
+  Study study;
+  std::string file;         // as the user named it
+  std::string config_text;  // letter by letter
+  std::string sha256;       // over everything that the study shows
+  motion::MotionSpace space;
+  std::string set_bytes, set_sha256;
+  std::vector<Problem> warnings;
+};
+
+// The motion set that a study or a command names: "builtin:A", or a file, relative
+// to `folder`. Throws InputError.
+motion::MotionSet load_motion_set(const std::string& name, const std::string& folder);
+
+// Reads a study and everything that it names. Throws InputError with all problems
+// at once. `file` may also be "configs/demo.toml", which is embedded.
+StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry);
+
+// The weights that every interface starts from: the average of the set.
+Eigen::VectorXd start_weights(const motion::MotionSpace& space);
+
+}  // namespace promenade::study

@@ -1,0 +1,36 @@
+// Every text that a participant sees, by key and language. A language is one
+// file, configs/languages/NAME.toml; a test fails on a missing key.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace promenade::study {
+
+// A text of a study's own, by language; "en" stands in for what is missing.
+using LocalText = std::map<std::string, std::string, std::less<>>;
+const std::string& text_in(const LocalText& text, std::string_view language);
+
+class Texts {
+ public:
+  explicit Texts(std::map<std::string, std::string, std::less<>> texts);
+  // "trial.match" and the like. An unknown key is a programmer's mistake; the key
+  // itself is shown.
+  const std::string& operator()(std::string_view key) const;
+  // With {name} replaced by values.
+  std::string with(std::string_view key,
+                   const std::vector<std::pair<std::string, std::string>>& values) const;
+  std::vector<std::string> keys() const;
+
+ private:
+  mutable std::map<std::string, std::string, std::less<>> texts_;
+};
+
+// "en", "ja": the embedded file of that language. Throws InputError for others.
+Texts load_texts(std::string_view language);
+std::vector<std::string> known_languages();
+
+}  // namespace promenade::study
