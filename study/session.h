@@ -24,24 +24,35 @@ std::string_view to_text(Outcome outcome);
 std::string_view to_text(TrialOutcome outcome);
 
 // What can happen to a session.
-struct Tick {};                // time passed
-struct Continue {};            // the page's main button
-struct Decline {};             // no consent
-struct Press {};               // a mouse button went down: Input::x, y in pixels
-struct Done {};                // the participant ends the trial
-struct StartOver {};           // back to the state in which the trial began
-struct Control { ControlInput input; };  // its t_us is set by step from Input::t_us
-struct SetAnswer { std::string item; double value = 0; };
-struct Camera { double yaw = 0, pitch = 0, zoom = 1; };  // radians; 1 as at the start
-struct LateFrame { std::int64_t late_us = 0; };
-struct Stop { std::string reason; };  // the window is closed, the experimenter ends it
+struct Tick {};       // time passed
+struct Continue {};   // the page's main button
+struct Decline {};    // no consent
+struct Press {};      // a mouse button went down: Input::x, y in pixels
+struct Done {};       // the participant ends the trial
+struct StartOver {};  // back to the state in which the trial began
+struct Control {
+  ControlInput input;
+};  // its t_us is set by step from Input::t_us
+struct SetAnswer {
+  std::string item;
+  double value = 0;
+};
+struct Camera {
+  double yaw = 0, pitch = 0, zoom = 1;
+};  // radians; 1 as at the start
+struct LateFrame {
+  std::int64_t late_us = 0;
+};
+struct Stop {
+  std::string reason;
+};  // the window is closed, the experimenter ends it
 
 struct Input {
-  std::int64_t t_us = 0;           // since the session began; never goes back
+  std::int64_t t_us = 0;  // since the session began; never goes back
   std::int64_t uncertainty_us = 0;
-  std::int64_t frame_us = -1;      // when the frame on screen was shown; -1: none
+  std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
-  double x = 0, y = 0;             // pointer, pixels
+  double x = 0, y = 0;  // pointer, pixels
   std::variant<Tick, Continue, Decline, Press, Done, StartOver, Control, SetAnswer, Camera,
                LateFrame, Stop>
       action;
@@ -94,13 +105,13 @@ struct TrialState {
   int index = 0;  // into Plan::trials
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;
-  bool touched = false;              // false: the start is shown, whatever the controls say
-  Eigen::VectorXd weights;           // shown now
-  motion::Cycle cycle;               // of these weights
+  bool touched = false;     // false: the start is shown, whatever the controls say
+  Eigen::VectorXd weights;  // shown now
+  motion::Cycle cycle;      // of these weights
   std::optional<motion::Cycle> target;
-  std::optional<double> d;           // of what is shown
+  std::optional<double> d;                     // of what is shown
   std::optional<std::int64_t> below_since_us;  // D is below the threshold, unchanged since
-  TrialEnded summary;                // filled as it goes
+  TrialEnded summary;                          // filled as it goes
 };
 
 class Session {
@@ -115,8 +126,8 @@ class Session {
   std::vector<Record> step(const Input& input);
 
   const Plan& plan() const { return plan_; }
-  const Page& page() const;                  // what is on screen
-  const TrialState* trial() const;           // null outside trial pages
+  const Page& page() const;         // what is on screen
+  const TrialState* trial() const;  // null outside trial pages
   Outcome outcome() const { return outcome_; }
   bool ended() const { return outcome_ != Outcome::running; }
   // Answers given on this rating page so far; Continue needs all of them.
