@@ -44,9 +44,4 @@ Differences paired_differences(const std::vector<std::optional<double>>& x,
   return result;
 }
 
-Differences paired_differences(const std::vector<double>& x, const std::vector<double>& y) {
-  return paired_differences(std::vector<std::optional<double>>(x.begin(), x.end()),
-                            std::vector<std::optional<double>>(y.begin(), y.end()));
-}
-
 }  // namespace promenade::analysis

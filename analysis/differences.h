@@ -17,6 +17,5 @@ struct Differences {
 // x and y have the same length.
 Differences paired_differences(const std::vector<std::optional<double>>& x,
                                const std::vector<std::optional<double>>& y);
-Differences paired_differences(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace promenade::analysis
