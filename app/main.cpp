@@ -10,7 +10,13 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App program("Promenade runs user studies of motion-style interfaces.", "promenade");
   program.set_version_flag("--version", "promenade " PROMENADE_VERSION);
-  program.require_subcommand(1);
+  program.require_subcommand(0, 1);
+  program.callback([&program] {
+    if (!program.get_subcommands().empty()) return;
+    throw promenade::OutsideError(
+        "the desk is not in this version yet; `promenade run configs/demo.toml` starts a study, "
+        "`promenade --help` lists the commands");
+  });
   namespace app = promenade::app;
   app::add_check_command(program);
   app::add_plan_command(program);

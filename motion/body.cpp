@@ -4,11 +4,10 @@ namespace promenade::motion {
 
 std::string_view body_joint_name(BodyJoint joint) {
   static constexpr std::array<std::string_view, body_joint_count> names = {
-      "pelvis",         "chest",          "neck",        "head",
-      "left_clavicle",  "left_shoulder",  "left_elbow",  "left_wrist",
-      "right_clavicle", "right_shoulder", "right_elbow", "right_wrist",
-      "left_hip",       "left_knee",      "left_ankle",  "left_toe",
-      "right_hip",      "right_knee",     "right_ankle", "right_toe"};
+      "pelvis",        "chest",       "neck",       "head",           "left_clavicle",
+      "left_shoulder", "left_elbow",  "left_wrist", "right_clavicle", "right_shoulder",
+      "right_elbow",   "right_wrist", "left_hip",   "left_knee",      "left_ankle",
+      "left_toe",      "right_hip",   "right_knee", "right_ankle",    "right_toe"};
   return names[joint];
 }
 

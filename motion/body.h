@@ -11,11 +11,26 @@
 namespace promenade::motion {
 
 enum BodyJoint {
-  pelvis, chest, neck, head,
-  left_clavicle, left_shoulder, left_elbow, left_wrist,
-  right_clavicle, right_shoulder, right_elbow, right_wrist,
-  left_hip, left_knee, left_ankle, left_toe,
-  right_hip, right_knee, right_ankle, right_toe,
+  pelvis,
+  chest,
+  neck,
+  head,
+  left_clavicle,
+  left_shoulder,
+  left_elbow,
+  left_wrist,
+  right_clavicle,
+  right_shoulder,
+  right_elbow,
+  right_wrist,
+  left_hip,
+  left_knee,
+  left_ankle,
+  left_toe,
+  right_hip,
+  right_knee,
+  right_ankle,
+  right_toe,
   body_joint_count
 };
 
@@ -26,7 +41,7 @@ std::string_view body_joint_name(BodyJoint joint);
 int body_parent(BodyJoint joint);
 
 struct BodyMap {
-  std::array<int, body_joint_count> joint{};     // index into the skeleton
+  std::array<int, body_joint_count> joint{};      // index into the skeleton
   std::array<bool, body_joint_count> borrowed{};  // no joint of its own: placed by its parent
 };
 

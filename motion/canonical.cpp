@@ -39,9 +39,9 @@ Cycle canonical_cycle(const MotionSet& set, const std::vector<double>& keytimes,
   cycle.root.resize(3, set.phases);
   Eigen::Matrix2Xd path(2, set.phases + 1);
   for (int f = 0; f <= set.phases; ++f) {
-    const double seconds =
-        f < set.phases ? seconds_at(set, cycle, static_cast<double>(f) / set.phases)
-                       : cycle.seconds;
+    const double seconds = f < set.phases
+                               ? seconds_at(set, cycle, static_cast<double>(f) / set.phases)
+                               : cycle.seconds;
     const Pose now = pose(seconds);
     path.col(f) << now.root.x(), now.root.z();
     if (f == set.phases) break;

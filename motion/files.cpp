@@ -31,7 +31,8 @@ std::string read_file(const std::filesystem::path& path) {
     throw InputError(path.string(), "is a folder; a file is wanted here");
   }
   File file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
+  if (!file)
+    throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
   std::string bytes;
   char block[1 << 16];
   while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {

@@ -15,19 +15,19 @@
 namespace promenade::motion {
 
 struct Cycle {
-  std::string name;    // unique in its set: "happy_1"
-  std::string style;   // "happy"
-  std::string source;  // the file it was cut from, or "generated"
+  std::string name;     // unique in its set: "happy_1"
+  std::string style;    // "happy"
+  std::string source;   // the file it was cut from, or "generated"
   int first_frame = 0;  // in the source
   int frames = 0;       // in the source, without the closing one
   double seconds = 0;
-  std::vector<double> keytimes;     // M+1, seconds from 0 to `seconds`
-  Eigen::Matrix4Xd rotations;       // 4 x (F J): unit quaternion x y z w of joint j at
-                                    // phase f in column f J + j, local
-  Eigen::Matrix3Xd root;            // 3 x F, metres: sway of the pelvis about its mean
-                                    // horizontal position, and its height over ground
+  std::vector<double> keytimes;  // M+1, seconds from 0 to `seconds`
+  Eigen::Matrix4Xd rotations;    // 4 x (F J): unit quaternion x y z w of joint j at
+                                 // phase f in column f J + j, local
+  Eigen::Matrix3Xd root;         // 3 x F, metres: sway of the pelvis about its mean
+                                 // horizontal position, and its height over ground
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // mean, m/s: left (+X), ahead (+Z)
-  double loop_error_m = 0;          // gap at the seam before it was closed, RMS over joints
+  double loop_error_m = 0;  // gap at the seam before it was closed, RMS over joints
 };
 
 struct MotionSet {
@@ -35,7 +35,7 @@ struct MotionSet {
   std::string credit;  // whose motions these are, and under which terms
   Skeleton skeleton;   // joint 0 is the pelvis
   BodyMap body;
-  int phases = 60;                                      // F
+  int phases = 60;                                         // F
   std::vector<double> key_phases = {0, 0.4, 0.5, 0.9, 1};  // M+1, 0 to 1
   std::vector<Cycle> cycles;
 

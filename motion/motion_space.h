@@ -8,9 +8,9 @@ namespace promenade::motion {
 
 struct MotionSpace {
   MotionSet set;
-  double leg_length = 1;         // metres
-  Eigen::Matrix4Xd average;      // 4 x (F J): mean rotation qbar(f, j), as Cycle::rotations
-  Eigen::VectorXd mean_height;   // F, metres
+  double leg_length = 1;        // metres
+  Eigen::Matrix4Xd average;     // 4 x (F J): mean rotation qbar(f, j), as Cycle::rotations
+  Eigen::VectorXd mean_height;  // F, metres
   // D x N, one column a cycle. Rows: 3 F J rotation offsets log(qbar^-1 q), radians
   // (joint fastest, then phase); F root heights over leg length; 2 F planar
   // velocities, over leg length and times the duration (left, ahead), each the

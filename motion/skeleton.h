@@ -12,7 +12,7 @@ namespace promenade::motion {
 
 struct Joint {
   std::string name;
-  int parent = -1;                                    // -1: the root, always joint 0
+  int parent = -1;                                   // -1: the root, always joint 0
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();  // from the parent, in its frame
 };
 

@@ -19,10 +19,10 @@ namespace promenade::study {
 
 // What a person did to one control, as it is logged and replayed.
 struct ControlInput {
-  std::string kind;      // "pick", "slide", "only", ...
-  std::string target;    // which control, by the interface's own word: "happy"
-  double value = 0;      // where it was set, in the control's unit
-  double x = 0, y = 0;   // for controls of two dimensions
+  std::string kind;       // "pick", "slide", "only", ...
+  std::string target;     // which control, by the interface's own word: "happy"
+  double value = 0;       // where it was set, in the control's unit
+  double x = 0, y = 0;    // for controls of two dimensions
   std::int64_t t_us = 0;  // microseconds since the session began
 };
 

@@ -15,10 +15,10 @@ class Rng {
   // purpose: "order", "simulate", ...: streams of different purposes never meet.
   Rng(std::uint64_t seed, std::uint64_t participant, std::string_view purpose);
 
-  std::uint64_t next();           // 64 random bits (splitmix64)
-  double uniform();               // [0, 1), 53 bits
+  std::uint64_t next();                      // 64 random bits (splitmix64)
+  double uniform();                          // [0, 1), 53 bits
   std::uint64_t below(std::uint64_t bound);  // [0, bound), without bias; bound > 0
-  double normal();                // mean 0, standard deviation 1 (Box-Muller)
+  double normal();                           // mean 0, standard deviation 1 (Box-Muller)
 
   template <typename T>
   void shuffle(std::vector<T>& values) {  // Fisher-Yates

@@ -77,7 +77,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"motion_set", "uuid", "", "identifies the motion set"},
     {"motion_set", "name", "", "name of the motion set"},
     {"motion_set", "sha256", "", "hash of the content"},
-    {"motion_set", "content", "bytes", "the very motions that were shown, as `set build` writes them"},
+    {"motion_set", "content", "bytes",
+     "the very motions that were shown, as `set build` writes them"},
     {"participant", "uuid", "", "identifies the person"},
     {"participant", "code", "", "code that the experimenter gave; never a name"},
     {"session", "uuid", "", "identifies the session"},
@@ -111,8 +112,10 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"trial", "d_best", "m", "smallest D shown"},
     {"trial", "d_final", "m", "D when it ended"},
     {"trial", "d_sum", "m", "the bare sum of Eq. 8 at the end"},
-    {"trial", "seconds_difference", "s", "duration of the created cycle minus the target's at the end"},
-    {"trial", "first_below_us", "us", "first time D was below the threshold, since the session began"},
+    {"trial", "seconds_difference", "s",
+     "duration of the created cycle minus the target's at the end"},
+    {"trial", "first_below_us", "us",
+     "first time D was below the threshold, since the session began"},
     {"trial", "clicks", "", "presses of a mouse button during the trial"},
     {"trial", "changes", "", "changes of the controls by the participant"},
     {"trial", "late_frames", "", "frames shown more than half a frame late"},
@@ -120,7 +123,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"event", "trial", "", "trial.uuid; null outside trials"},
     {"event", "seq", "", "order within the session, from 1"},
     {"event", "t_us", "us", "when it happened, since the session began"},
-    {"event", "uncertainty_us", "us", "how much earlier it may have happened: time since the poll before"},
+    {"event", "uncertainty_us", "us",
+     "how much earlier it may have happened: time since the poll before"},
     {"event", "frame_us", "us", "when the frame on screen at that moment was shown; null: none"},
     {"event", "actor", "", "participant, system or experimenter"},
     {"event", "kind", "", "what happened"},
@@ -178,7 +182,8 @@ void check_database(Database& database) {
     throw InputError(database.file(), "is not a database; name the .db file of a study");
   }
   if (id != application_id) {
-    throw InputError(database.file(), "is not a database of Promenade; name the .db file of a study");
+    throw InputError(database.file(),
+                     "is not a database of Promenade; name the .db file of a study");
   }
   if (version > schema_version) {
     throw InputError(database.file(), "was made by a newer Promenade (its tables are version " +

@@ -24,30 +24,46 @@ std::string_view to_text(Outcome outcome);
 std::string_view to_text(TrialOutcome outcome);
 
 // What can happen to a session.
-struct Tick {};                // time passed
-struct Continue {};            // the page's main button
-struct Decline {};             // no consent
-struct Press {};               // a mouse button went down: Input::x, y in pixels
-struct Done {};                // the participant ends the trial
-struct StartOver {};           // back to the state in which the trial began
-struct Control { ControlInput input; };  // its t_us is set by step from Input::t_us
-struct SetAnswer { std::string item; double value = 0; };
-struct Camera { double yaw = 0, pitch = 0, zoom = 1; };  // radians; 1 as at the start
-struct LateFrame { std::int64_t late_us = 0; };
-struct Stop { std::string reason; };  // the window is closed, the experimenter ends it
+struct Tick {};       // time passed
+struct Continue {};   // the page's main button
+struct Decline {};    // no consent
+struct Press {};      // a mouse button went down: Input::x, y in pixels
+struct Done {};       // the participant ends the trial
+struct StartOver {};  // back to the state in which the trial began
+struct Control {
+  ControlInput input;
+};  // its t_us is set by step from Input::t_us
+struct SetAnswer {
+  std::string item;
+  double value = 0;
+};
+struct Camera {
+  double yaw = 0, pitch = 0, zoom = 1;
+};  // radians; 1 as at the start
+struct LateFrame {
+  std::int64_t late_us = 0;
+};
+struct Stop {
+  std::string reason;
+};  // the window is closed, the experimenter ends it
 
 struct Input {
-  std::int64_t t_us = 0;           // since the session began; never goes back
+  std::int64_t t_us = 0;  // since the session began; never goes back
   std::int64_t uncertainty_us = 0;
-  std::int64_t frame_us = -1;      // when the frame on screen was shown; -1: none
+  std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
-  double x = 0, y = 0;             // pointer, pixels
+  double x = 0, y = 0;  // pointer, pixels
   std::variant<Tick, Continue, Decline, Press, Done, StartOver, Control, SetAnswer, Camera,
                LateFrame, Stop>
       action;
 };
 
-// What is logged: one for each row of the database, in order.
+// What is logged: one for each row of the database, in order. Kinds of events:
+// "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
+// begins from the common start), "continue", "continue_refused", "decline", "press",
+// "done", "start_over", "answer", "camera", "late_frame", "stop"; and what was done to
+// a control under the interface's own word, with {"applied": true or false} in its
+// detail: by this a replay knows them.
 struct TrialStarted {
   int trial = 0;  // index into Plan::trials
   std::int64_t t_us = 0;
@@ -94,13 +110,14 @@ struct TrialState {
   int index = 0;  // into Plan::trials
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;
-  bool touched = false;              // false: the start is shown, whatever the controls say
-  Eigen::VectorXd weights;           // shown now
-  motion::Cycle cycle;               // of these weights
+  bool touched = false;     // false: the start is shown, whatever the controls say
+  Eigen::VectorXd weights;  // shown now
+  motion::Cycle cycle;      // of these weights
   std::optional<motion::Cycle> target;
-  std::optional<double> d;           // of what is shown
-  std::optional<std::int64_t> below_since_us;  // D is below the threshold, unchanged since
-  TrialEnded summary;                // filled as it goes
+  std::optional<motion::DistancePoints> target_points;  // of the target, for D
+  std::optional<double> d;                              // of what is shown
+  std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
+  TrialEnded summary;                                   // filled as it goes
 };
 
 class Session {
@@ -115,8 +132,8 @@ class Session {
   std::vector<Record> step(const Input& input);
 
   const Plan& plan() const { return plan_; }
-  const Page& page() const;                  // what is on screen
-  const TrialState* trial() const;           // null outside trial pages
+  const Page& page() const;         // what is on screen
+  const TrialState* trial() const;  // null outside trial pages
   Outcome outcome() const { return outcome_; }
   bool ended() const { return outcome_ != Outcome::running; }
   // Answers given on this rating page so far; Continue needs all of them.
@@ -124,7 +141,7 @@ class Session {
   bool can_continue() const;
 
  private:
-  struct Steps;  // what each action does: session.cpp
+  struct Steps;  // what each action does: session_steps.h
   const StudyBundle* bundle_;
   const InterfaceRegistry* registry_;
   Plan plan_;
@@ -132,6 +149,9 @@ class Session {
   Outcome outcome_ = Outcome::running;
   std::optional<TrialState> trial_;
   std::vector<std::optional<double>> answers_;
+  std::vector<std::int64_t> answered_us_;  // when each was given
+  bool begun_ = false;                     // the first page has been logged
+  bool declined_ = false;                  // the page that follows Decline is shown
 };
 
 }  // namespace promenade::study

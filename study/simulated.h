@@ -10,10 +10,10 @@ namespace promenade::study {
 
 // How a person is, drawn at random for each participant.
 struct Person {
-  double eye_noise_m = 0.01;     // standard deviation of the D that is seen
-  double imagination_m = 0.03;   // the same for a motion that is only imagined
-  double patience_s = 60;        // gives up around then, in tasks that have Done
-  double think_s = 1.2;          // mean time between two actions
+  double eye_noise_m = 0.01;    // standard deviation of the D that is seen
+  double imagination_m = 0.03;  // the same for a motion that is only imagined
+  double patience_s = 60;       // gives up around then, in tasks that have Done
+  double think_s = 1.2;         // mean time between two actions
 };
 Person draw_person(Rng& rng);
 

@@ -40,7 +40,7 @@ struct Task {
   std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
   std::vector<int> interfaces;        // indices into Study::interfaces
   std::vector<Target> targets;
-  std::vector<Target> practice;       // targets of practice trials, per interface
+  std::vector<Target> practice;  // targets of practice trials, per interface
 };
 
 // [[rating]]: a question after each trial on a scale of `points`.
