@@ -156,17 +156,16 @@ double lowering(const Walk& walk, std::size_t f, const LegJoints& leg, const Vec
 // ahead while it stands, so a capture is faster than its planted feet allow; changing
 // the speed of the whole walk by a few per cent spares the legs most of the work.
 Vector2d speed_of_feet(const Walk& walk) {
-  Vector2d drift = Vector2d::Zero();
+  double drift = 0;  // ahead; a walk has no other direction
   double seconds = 0;
   for (const Side side : {Side::left, Side::right}) {
     const StancePhases stance = stance_phases(walk.set, side);
     const Eigen::Matrix2Xd shift = stance_shift(walk, stance, leg_joints(side));
-    drift -= shift.col(shift.cols() - 1) - shift.col(0);
+    drift += shift(1, 0) - shift(1, shift.cols() - 1);
     seconds += walk.time(stance.off) - walk.time(stance.on);
   }
-  const Vector2d change = -drift / seconds;
   const double most = most_speed_change * walk.cycle.velocity.norm();
-  return walk.cycle.velocity + change * std::min(1.0, most / std::max(change.norm(), 1e-12));
+  return walk.cycle.velocity + Vector2d(0, std::clamp(-drift / seconds, -most, most));
 }
 
 // Never less than the values, and smooth around the cycle.
