@@ -182,13 +182,24 @@ Store::~Store() {
 }
 
 int Store::next_sequence(bool simulated, bool pilot) {
+  return next_sequences(simulated, pilot, 1).front();
+}
+
+std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
   Statement used(implementation_->database,
                  "SELECT DISTINCT sequence FROM session WHERE simulated = ? AND pilot = ? "
                  "AND outcome IN ('finished', 'running') ORDER BY sequence");
   used.bind(1, simulated).bind(2, pilot);
-  int next = 0;
-  while (used.step() && used.integer(0) == next) ++next;
-  return next;
+  std::vector<int> free;
+  bool more = used.step();
+  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
+    if (more && used.integer(0) == sequence) {
+      more = used.step();
+    } else {
+      free.push_back(sequence);
+    }
+  }
+  return free;
 }
 
 bool Store::knows_participant(const std::string& code) {
@@ -196,13 +207,17 @@ bool Store::knows_participant(const std::string& code) {
   return known.bind(1, code).step();
 }
 
+int Store::next_simulated_number() {
+  Statement last(implementation_->database,
+                 "SELECT max(CAST(substr(code, 2) AS INTEGER)) FROM participant "
+                 "WHERE code GLOB 'S[0-9]*'");
+  last.step();
+  return static_cast<int>(last.integer(0)) + 1;
+}
+
 std::string Store::next_simulated_code() {
-  for (int number = 1;; ++number) {
-    const std::string digits = std::to_string(number);
-    const std::string code =
-        "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
-    if (!knows_participant(code)) return code;
-  }
+  const std::string digits = std::to_string(next_simulated_number());
+  return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
 }
 
 void Store::begin_session(const SessionHeader& header, const Plan& plan) {
