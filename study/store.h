@@ -58,6 +58,7 @@ class Store {
 // "2026-11-22T16:02:29Z": the only place that reads the wall clock.
 std::string utc_now();
 std::string random_uuid();
+std::string_view program_version();
 std::string sha256_hex(std::string_view bytes);
 
 }  // namespace promenade::study

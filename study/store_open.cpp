@@ -55,7 +55,7 @@ void refuse_other_study(Database& database, const StudyBundle& bundle) {
 void put_study(Database& database, const StudyBundle& bundle) {
   Statement study(database, "INSERT OR IGNORE INTO study VALUES (?,?,?,?,?,?,?)");
   study.bind(1, random_uuid()).bind(2, bundle.study.name).bind(3, bundle.study.version);
-  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, PROMENADE_VERSION);
+  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
   study.bind(7, utc_now()).run();
   Statement set(database, "INSERT OR IGNORE INTO motion_set VALUES (?,?,?,?)");
   set.bind(1, random_uuid()).bind(2, bundle.space.set.name).bind(3, bundle.set_sha256);
