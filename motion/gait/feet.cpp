@@ -11,14 +11,13 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double heel_rise = 2.95;  // end slope of the heel's rise over its mean: late and quick
-
 double strike_slope(const GaitStyle& style) {  // degrees per stride
   return -1.3 * style.feet.strike_pitch / style.timing.foot_flat;
 }
 
 double push_off_slope(const GaitStyle& style) {  // degrees per stride
-  return -heel_rise * style.feet.push_off_pitch / (style.timing.stance - style.timing.heel_off);
+  return -style.feet.push_off_haste * style.feet.push_off_pitch /
+         (style.timing.stance - style.timing.heel_off);
 }
 
 double swing_span(const GaitStyle& style) { return 1 - style.timing.stance; }
