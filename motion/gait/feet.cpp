@@ -96,7 +96,7 @@ Vector3d swinging_ball(const GaitStyle& style, Side side, double count, double s
   const Vector3d from = ball_of(style, side, last, push);
   const Vector3d to = ball_of(style, side, next, strike);
   const Vector3d arrival = ball_velocity_at_strike(style, side) * span;
-  const double ahead = through({{0, 0, 0}, {0.5, 0.53, 1.65}, {0.87, 0.965, 0.65}, {1, 1, 0}}, s);
+  const double ahead = through({{0, 0, 0}, {0.5, 0.53, 1.65}, {0.87, 0.972, 0.52}, {1, 1, 0}}, s);
   Vector3d ball = from + ahead * (to - from) + s * s * (s - 1) * arrival;
   ball.y() = swinging_height(style.feet, from.y(), to.y(), arrival.y(), s);
   ball.x() += sign_of(side) * style.feet.circumduction * 16 * s * s * (1 - s) * (1 - s);
