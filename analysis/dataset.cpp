@@ -120,8 +120,23 @@ class Builder {
     data_.interfaces = in_order(interfaces, outline_.interfaces);
     task_names_ = in_order(tasks, outline_.tasks);
     for (const std::string& name : task_names_) {
-      data_.tasks.push_back({name, in_order(targets[name], {})});
+      data_.tasks.push_back({name, in_order(targets[name], {}), common(name, &LoggedTrial::limit_s),
+                             common(name, &LoggedTrial::threshold_m)});
     }
+  }
+
+  // The value that all trials of a task share.
+  std::optional<double> common(const std::string& task,
+                               std::optional<double> LoggedTrial::*member) const {
+    std::optional<double> shared;
+    bool first = true;
+    for (const int index : taken_) {
+      if (logged(index).task != task) continue;
+      if (!first && logged(index).*member != shared) return std::nullopt;
+      shared = logged(index).*member;
+      first = false;
+    }
+    return shared;
   }
 
   void name_measures() {

@@ -35,6 +35,7 @@ struct Trial {
 struct Task {
   std::string name;
   std::vector<std::string> targets;
+  std::optional<double> limit_s, threshold_m;  // if all its trials had the same
 };
 
 struct Dataset {

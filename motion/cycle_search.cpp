@@ -69,7 +69,8 @@ std::optional<CycleCandidate> candidate_at(const Take& take, const FootContacts&
   const Stance& first = contacts.right[i];
   const Stance& second = contacts.right[i + 1];
   if (second.off >= take.frames() - 1.0) return std::nullopt;  // cut by the end
-  const Stance* left = landing_within(contacts.left, second.on, second.off + 1);
+  const double late = 0.08 / take.frame_time;  // in a light step it lands after the other left
+  const Stance* left = landing_within(contacts.left, second.on, second.off + late);
   const Stance* left_before = nullptr;
   for (const Stance& stance : contacts.left) {
     if (stance.on < second.on && stance.off > first.off) left_before = &stance;

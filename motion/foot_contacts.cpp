@@ -102,7 +102,7 @@ FootContacts find_contacts(const Take& take) {
   const double least = 0.08 / take.frame_time;
   const double wanted_overlap = 0.04 / take.frame_time;
   FootContacts contacts;
-  for (const double share : {0.09, 0.11, 0.13, 0.16, 0.19, 0.22}) {
+  for (const double share : {0.07, 0.085, 0.1, 0.115}) {
     contacts.still_m_s = std::max(share * swing, 0.05);
     contacts.left = stances(left, contacts.still_m_s, low, least);
     contacts.right = stances(right, contacts.still_m_s, low, least);

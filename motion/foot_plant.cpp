@@ -12,8 +12,11 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double fade_seconds = 0.15;   // over which a swinging foot forgets its velocity
-constexpr double straight_leg = 0.985;  // of its length: legs are not stretched beyond
+constexpr double fade_seconds = 0.1;  // over which a swinging foot forgets its velocity
+// A leg reaches at most this share of its length: a knee that comes out of a straight
+// leg would snap.
+constexpr double most_reach = 0.9965;
+constexpr double most_speed_change = 0.04;  // of the walk's speed
 
 // Phases of a stance, the second beyond F where it runs over the seam.
 struct StancePhases {
@@ -139,16 +142,30 @@ Vector3d at(const Walk& walk, std::size_t f, BodyJoint part) {
   return walk.worlds[f].positions.col(walk.set.body.joint[part]);
 }
 
-// How far the pelvis must come down at a phase so that the leg reaches without being
-// stretched more than it was.
+// How far the pelvis must come down at a phase so that the leg reaches.
 double lowering(const Walk& walk, std::size_t f, const LegJoints& leg, const Vector3d& ankle) {
   const Vector3d hip = at(walk, f, leg.hip), knee = at(walk, f, leg.knee);
-  const double length = (knee - hip).norm() + (at(walk, f, leg.ankle) - knee).norm();
-  const double most = std::max((at(walk, f, leg.ankle) - hip).norm(), straight_leg * length);
+  const double most = most_reach * ((knee - hip).norm() + (at(walk, f, leg.ankle) - knee).norm());
   const Vector3d way = ankle - hip;
   if (way.norm() <= most) return 0;
   const double across = std::hypot(way.x(), way.z());
   return -way.y() - std::sqrt(std::max(most * most - across * across, 0.0));
+}
+
+// The speed over ground at which the standing feet drift least. A foot rolls a little
+// ahead while it stands, so a capture is faster than its planted feet allow; changing
+// the speed of the whole walk by a few per cent spares the legs most of the work.
+Vector2d speed_of_feet(const Walk& walk) {
+  double drift = 0;  // ahead; a walk has no other direction
+  double seconds = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    const StancePhases stance = stance_phases(walk.set, side);
+    const Eigen::Matrix2Xd shift = stance_shift(walk, stance, leg_joints(side));
+    drift += shift(1, 0) - shift(1, shift.cols() - 1);
+    seconds += walk.time(stance.off) - walk.time(stance.on);
+  }
+  const double most = most_speed_change * walk.cycle.velocity.norm();
+  return walk.cycle.velocity + Vector2d(0, std::clamp(-drift / seconds, -most, most));
 }
 
 // Never less than the values, and smooth around the cycle.
@@ -191,6 +208,10 @@ void store(const Walk& walk, Cycle& cycle) {
 PlantReport plant_feet(const MotionSet& set, Cycle& cycle) {
   assert(set.key_phases.size() == 5 && "a walk has five keytimes");
   Walk walk = make_walk(set, cycle);
+  PlantReport report;
+  report.speed_change = -cycle.velocity.norm();
+  cycle.velocity = speed_of_feet(walk);
+  report.speed_change += cycle.velocity.norm();
   const std::array<Eigen::Matrix2Xd, 2> shifts = {ankle_shift(walk, Side::left),
                                                   ankle_shift(walk, Side::right)};
   const auto frames = static_cast<std::size_t>(set.phases);
@@ -200,7 +221,6 @@ PlantReport plant_feet(const MotionSet& set, Cycle& cycle) {
     return at(walk, f, leg.ankle) + Vector3d(shift.x(), 0, shift.y());
   };
   std::vector<double> low(frames, 0);
-  PlantReport report;
   for (std::size_t side = 0; side < 2; ++side) {
     for (std::size_t f = 0; f < frames; ++f) {
       const LegJoints leg = leg_joints(static_cast<Side>(side));
@@ -209,11 +229,14 @@ PlantReport plant_feet(const MotionSet& set, Cycle& cycle) {
     report.moved_m = std::max(report.moved_m, shifts[side].colwise().norm().maxCoeff());
   }
   low = smooth_cover(low);
+  const std::array<Vector3d, 2> axes = {knee_axis(set.skeleton, set.body, Side::left, walk.poses),
+                                        knee_axis(set.skeleton, set.body, Side::right, walk.poses)};
   for (std::size_t f = 0; f < frames; ++f) {
     report.lowered_m = std::max(report.lowered_m, low[f]);
     walk.poses[f].root.y() -= low[f];
     for (std::size_t side = 0; side < 2; ++side) {
-      move_ankle(set.skeleton, set.body, static_cast<Side>(side), target(side, f), walk.poses[f]);
+      move_ankle(set.skeleton, set.body, static_cast<Side>(side), axes[side], target(side, f),
+                 walk.poses[f]);
     }
   }
   store(walk, cycle);

@@ -11,8 +11,9 @@
 namespace promenade::motion {
 
 struct PlantReport {
-  double moved_m = 0;    // the most that an ankle was moved
-  double lowered_m = 0;  // the most that the pelvis was lowered so that legs reach
+  double moved_m = 0;       // the most that an ankle was moved
+  double lowered_m = 0;     // the most that the pelvis was lowered so that legs reach
+  double speed_change = 0;  // m/s: the walk's speed is that of its feet, within 4 %
 };
 
 // Moves the ankles of a cycle over the ground so that its standing feet stay where

@@ -9,18 +9,25 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// The angle opposite to `far` in a triangle of these sides.
-double angle_between(double a, double b, double far) {
-  return std::acos(std::clamp((a * a + b * b - far * far) / (2 * a * b), -1.0, 1.0));
-}
+// Never quite straight: a straight knee has no side to bend to.
+constexpr double least_bend = 0.04;  // radians
 
-// The axis that the knee bends about: across the plane of the leg; of a straight leg,
-// across the plane of shank and foot.
-Vector3d knee_axis(const Vector3d& thigh, const Vector3d& shank, const Vector3d& foot) {
-  Vector3d axis = thigh.cross(shank);
-  if (axis.norm() < 1e-4 * thigh.norm() * shank.norm()) axis = foot.cross(shank);
-  if (axis.norm() < 1e-9) return Vector3d::UnitX();
-  return axis.normalized();
+struct Hinge {
+  Vector3d axis;      // of the knee, world, length 1
+  double bend = 0;    // radians from a straight leg, measured about the axis
+  double wanted = 0;  // the bend at which the ankle is as far from the hip as wanted
+};
+
+Hinge find_hinge(const Vector3d& axis, const Vector3d& thigh, const Vector3d& shank,
+                 double distance) {
+  const double along = thigh.dot(axis) * shank.dot(axis);
+  const Vector3d upper = thigh - axis * thigh.dot(axis);
+  const Vector3d lower = shank - axis * shank.dot(axis);
+  const double span = upper.norm() * lower.norm();
+  Hinge hinge{axis, std::atan2(upper.cross(lower).dot(axis), upper.dot(lower)), 0};
+  const double dot = 0.5 * (distance * distance - thigh.squaredNorm() - shank.squaredNorm());
+  hinge.wanted = std::acos(std::clamp((dot - along) / span, -1.0, std::cos(least_bend)));
+  return hinge;
 }
 
 }  // namespace
@@ -30,19 +37,35 @@ LegJoints leg_joints(Side side) {
   return {right_hip, right_knee, right_ankle, right_toe};
 }
 
-void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& ankle,
-                Pose& pose) {
+Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
+                   const std::vector<Pose>& poses) {
+  const LegJoints leg = leg_joints(side);
+  const auto knee = static_cast<std::size_t>(body.joint[leg.knee]);
+  const auto above = static_cast<std::size_t>(skeleton.joints[knee].parent);
+  Vector3d sum = Vector3d::Zero();
+  for (const Pose& pose : poses) {
+    const WorldPose world = forward_kinematics(skeleton, pose);
+    const auto at = [&](BodyJoint part) -> Vector3d {
+      return world.positions.col(body.joint[part]);
+    };
+    const Vector3d across = (at(leg.knee) - at(leg.hip)).cross(at(leg.ankle) - at(leg.knee));
+    sum += world.rotations[above].conjugate() * across;
+  }
+  return sum.norm() > 0 ? sum.normalized() : Vector3d::UnitX();
+}
+
+void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
+                const Vector3d& ankle, Pose& pose) {
   const WorldPose world = forward_kinematics(skeleton, pose);
   const LegJoints leg = leg_joints(side);
   const int hip = body.joint[leg.hip], knee = body.joint[leg.knee], foot = body.joint[leg.ankle];
   const auto at = [&](int joint) -> Vector3d { return world.positions.col(joint); };
   const Vector3d thigh = at(knee) - at(hip), shank = at(foot) - at(knee);
   const Vector3d wanted = ankle - at(hip);
-  const double a = thigh.norm(), b = shank.norm();
-  const double reach = std::clamp(wanted.norm(), std::abs(a - b) + 1e-6, a + b - 1e-6);
-  const double bend = angle_between(a, b, (at(foot) - at(hip)).norm()) - angle_between(a, b, reach);
-  const Vector3d axis = knee_axis(thigh, shank, at(body.joint[leg.toe]) - at(foot));
-  const Quaterniond at_knee(Eigen::AngleAxisd(bend, axis));
+  const auto thigh_joint =
+      static_cast<std::size_t>(skeleton.joints[static_cast<std::size_t>(knee)].parent);
+  const Hinge hinge = find_hinge(world.rotations[thigh_joint] * axis, thigh, shank, wanted.norm());
+  const Quaterniond at_knee(Eigen::AngleAxisd(hinge.wanted - hinge.bend, hinge.axis));
   const Quaterniond at_hip = Quaterniond::FromTwoVectors(thigh + at_knee * shank, wanted);
 
   const auto turned = [&](int joint) { return world.rotations[static_cast<std::size_t>(joint)]; };

@@ -12,10 +12,15 @@ struct LegJoints {
 };
 LegJoints leg_joints(Side side);
 
+// The axis that the knee bends about, positive when the heel comes up, in the frame of
+// the knee's parent: the mean over the poses, which a straight leg cannot turn over.
+Eigen::Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
+                          const std::vector<Pose>& poses);
+
 // Turns hip and knee of `pose` so that the ankle comes to `ankle` (world, metres), or
-// as near as the leg reaches. The knee stays in the plane that it bends in, and the
-// foot keeps its direction in the world.
+// as near as the leg reaches. The knee turns about `axis` only and never beyond
+// straight; the foot keeps its direction in the world.
 void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side,
-                const Eigen::Vector3d& ankle, Pose& pose);
+                const Eigen::Vector3d& axis, const Eigen::Vector3d& ankle, Pose& pose);
 
 }  // namespace promenade::motion

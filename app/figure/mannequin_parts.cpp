@@ -84,11 +84,11 @@ class Builder {
     };
     const Vector3d half = low.left * (0.42 * hip_width);
     add(hips + half + 0.03 * s * low.up, hips - half + 0.03 * s * low.up, 0.098, 0.098);
-    add(spine(0.1), spine(0.42), 0.135, 0.118, low.ahead, 0.74);
-    add(spine(0.40), spine(0.66), 0.118, 0.150, high.ahead, 0.70);
-    const Vector3d breast = spine(0.76) + 0.012 * s * high.ahead;
-    add(breast + 0.085 * s * high.left, breast - 0.085 * s * high.left, 0.088, 0.088, high.ahead,
-        0.95);
+    add(spine(0.1), spine(0.45), 0.135, 0.120, low.ahead, 0.76);
+    add(spine(0.40), spine(0.70), 0.122, 0.146, high.ahead, 0.74);
+    const Vector3d breast = spine(0.80) - 0.006 * s * high.ahead;
+    add(breast + 0.085 * s * high.left, breast - 0.085 * s * high.left, 0.092, 0.092, high.ahead,
+        1.0);
     for (const BodyJoint shoulder : {left_shoulder, right_shoulder}) {
       add(spine(0.94), at(shoulder), 0.060, 0.056);
     }
@@ -100,13 +100,13 @@ class Builder {
     const Vector3d base = at(motion::head);
     const Vector3d up = turn(motion::head) * m_.head_up;
     const Frame frame = frame_of(up.cross(turn(motion::head) * m_.head_ahead), up);
-    add(at(neck), base + 0.02 * s * frame.up, 0.060, 0.052);
+    add(at(neck), base + 0.03 * s * frame.up + 0.004 * s * frame.ahead, 0.062, 0.055);
     const auto in_head = [&](double upward, double ahead) -> Vector3d {
       return base + s * (upward * frame.up + ahead * frame.ahead);
     };
-    add(in_head(0.118, 0.006), in_head(0.040, 0.040), 0.092, 0.056, frame.left, 0.82);
-    add(in_head(0.128, -0.010), in_head(0.098, 0.018), 0.090, 0.088, frame.left, 0.84);
-    add(in_head(0.092, 0.104), in_head(0.070, 0.108), 0.009, 0.014, frame.left, 0.8);
+    add(in_head(0.110, -0.006), in_head(0.030, 0.044), 0.098, 0.050, frame.left, 0.80);
+    add(in_head(0.116, -0.016), in_head(0.112, 0.010), 0.096, 0.094, frame.left, 0.82);
+    add(in_head(0.098, 0.082), in_head(0.066, 0.094), 0.012, 0.016, frame.left, 0.7);
   }
 
   void arm(bool left) {

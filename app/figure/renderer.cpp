@@ -60,6 +60,8 @@ GLuint make_shadow_texture() {
 
 Eigen::Vector3f key_light() { return Eigen::Vector3f(-0.42f, 0.80f, 0.43f).normalized(); }
 
+Eigen::Vector3f shadow_light() { return Eigen::Vector3f(-0.16f, 0.96f, 0.10f).normalized(); }
+
 struct FigureRenderer::Objects {
   GlProgram part{part_vertex_shader, part_fragment_shader};
   GlProgram floor{floor_vertex_shader, floor_fragment_shader};
@@ -108,8 +110,7 @@ void FigureRenderer::draw_ground(const View& view, const Ground& ground, const S
   gl_->floor.set("shadow_width", shadow_metres);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, gl_->shadow);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, shadow_size, shadow_size, GL_RED, GL_UNSIGNED_BYTE,
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, shadow_size, shadow_size, GL_RED, GL_FLOAT,
                   shadow.texels().data());
   scissor(view.clip, height_);
   glDisable(GL_DEPTH_TEST);

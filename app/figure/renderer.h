@@ -10,13 +10,16 @@
 #include "app/figure/mannequin.h"
 #include "app/figure/shadow.h"
 #include "app/figure/view.h"
+#include "app/look.h"
 
 namespace promenade::app {
 
-using Rgb = Eigen::Vector3f;  // 0 to 1, as a display takes it (sRGB)
+
 
 // From the ground to the light, unit length: from the viewer's upper left.
 Eigen::Vector3f key_light();
+// The same for the shadow: steeper, so that it stays at the feet (ours).
+Eigen::Vector3f shadow_light();
 
 struct Ground {
   Rgb ring;

@@ -45,45 +45,53 @@ uniform vec3 eye, key_light;
 uniform float focal, near_depth, far_depth;
 out vec4 pixel;
 
-float meet_sphere(vec3 from, float radius) {
-  float a = dot(local_ray, local_ray), b = dot(from, local_ray);
-  float h = b * b - a * (dot(from, from) - radius * radius);
-  return h < 0.0 ? -1.0 : (-b - sqrt(h)) / a;
+// The quadratic's discriminant is 0 on the outline: over its slope in pixels it is
+// the share of the pixel that is covered.
+float covered(float h) {
+  return clamp(h / max(length(vec2(dFdx(h), dFdy(h))), 1e-12), 0.0, 1.0);
 }
 
-bool meet(out float t, out vec3 normal) {
+bool meet(out float t, out vec3 normal, out float share) {
   float q = (solid.y - solid.z) / solid.x;
   float c2 = 1.0 - q * q;
   float slope = q * local_ray.y, start = solid.y - q * eye_at.y;
   float a = dot(local_ray.xz, local_ray.xz) - slope * slope / c2;
   float b = dot(eye_at.xz, local_ray.xz) + slope * start / c2;
   float h = b * b - a * (dot(eye_at.xz, eye_at.xz) - start * start / c2);
-  if (h >= 0.0) {
+
+  vec3 from_end = eye_at - vec3(0.0, solid.x, 0.0);
+  float a01 = dot(local_ray, local_ray);
+  float b0 = dot(eye_at, local_ray), b1 = dot(from_end, local_ray);
+  float h0 = b0 * b0 - a01 * (dot(eye_at, eye_at) - solid.y * solid.y);
+  float h1 = b1 * b1 - a01 * (dot(from_end, from_end) - solid.z * solid.z);
+  float share_cone = covered(h), share0 = covered(h0), share1 = covered(h1);
+
+  if (h > 0.0) {
     t = (-b - sqrt(h)) / a;
     vec3 p = eye_at + t * local_ray;
     if (p.y > solid.y * q && p.y < solid.x + solid.z * q) {
       normal = vec3(p.xz * (c2 / (solid.y - q * p.y)), q).xzy;
+      share = share_cone;
       return true;
     }
   }
-  float t0 = meet_sphere(eye_at, solid.y);
-  vec3 from_end = eye_at - vec3(0.0, solid.x, 0.0);
-  float t1 = meet_sphere(from_end, solid.z);
-  if (t0 < 0.0 && t1 < 0.0) return false;
-  bool first = t1 < 0.0 || (t0 > 0.0 && t0 < t1);
+  if (h0 <= 0.0 && h1 <= 0.0) return false;
+  float t0 = h0 > 0.0 ? (-b0 - sqrt(h0)) / a01 : 1e9;
+  float t1 = h1 > 0.0 ? (-b1 - sqrt(h1)) / a01 : 1e9;
+  bool first = t0 < t1;
   t = first ? t0 : t1;
-  normal = first ? eye_at + t * local_ray : from_end + t * local_ray;
+  normal = (first ? eye_at : from_end) + t * local_ray;
+  share = first ? share0 : share1;
   return true;
 }
 
 void main() {
-  float t; vec3 local_normal;
-  if (!meet(t, local_normal)) discard;
+  float t, alpha; vec3 local_normal;
+  if (!meet(t, local_normal, alpha)) discard;
   vec3 n = normalize(local_normal.x * to_x + local_normal.y * to_y + local_normal.z * to_z);
   vec3 v = -normalize(world_ray);
   float facing = max(dot(n, v), 0.0);
   float depth = t * focal;
-  float alpha = clamp(facing * facing * min(solid.y, solid.z) * focal / (2.0 * depth), 0.0, 1.0);
 
   float key = max((dot(n, key_light) + 0.22) / 1.22, 0.0);
   float rise = 0.5 + 0.5 * n.y;
@@ -149,7 +157,7 @@ void main() {
   ground *= 1.0 - grid * fade;
 
   float light = texture(shadow, p / shadow_width + 0.5).r;
-  light = mix(1.0, light, 1.0 - smoothstep(0.40 * shadow_width, 0.5 * shadow_width, far));
+  light = mix(1.0, light, min(1.0, 2.5 * fade));
   ground *= mix(vec3(0.30, 0.31, 0.36), vec3(1.0), light);
 
   float ring = abs(far - 0.46) / max(fwidth(far), 1e-5);

@@ -37,10 +37,25 @@ void add_disc(float* grid, int size, const Disc& disc) {
     float* line = grid + row * size;
     for (int column = x0; column <= x1; ++column) {
       const float dx = (static_cast<float>(column) + 0.5f) * texel - half - disc.x;
-      const float inside = std::max(0.0f, 1 - (dx * dx + dz * dz) * scale);
+      const float inside = std::max(0.0f, 1.0f - (dx * dx + dz * dz) * scale);
       line[column] += disc.strength * inside * inside;
     }
   }
+}
+
+constexpr int coarse_size = 32;
+
+// Where a fine row or column lies between two coarse ones.
+struct Between {
+  int first;
+  float share;
+};
+
+Between coarse_place(int fine) {
+  constexpr int ratio = shadow_size / coarse_size;
+  const int steps = std::clamp(2 * fine + 1 - ratio, 0, 2 * ratio * (coarse_size - 1) - 1);
+  const int first = steps / (2 * ratio);
+  return {first, static_cast<float>(steps - 2 * ratio * first) / (2.0f * ratio)};
 }
 
 }  // namespace
@@ -70,21 +85,18 @@ void Shadow::splat_part(const Part& part, const Eigen::Vector3f& light) {
 }
 
 void Shadow::resolve() {
-  constexpr int ratio = shadow_size / coarse_size;
   for (int row = 0; row < shadow_size; ++row) {
-    const float z = (static_cast<float>(row) + 0.5f) / ratio - 0.5f;
-    const int z0 = std::clamp(static_cast<int>(std::floor(z)), 0, coarse_size - 2);
-    const float fz = std::clamp(z - static_cast<float>(z0), 0.0f, 1.0f);
+    const Between z = coarse_place(row);
+    const float* near_line = coarse_.data() + z.first * coarse_size;
+    const float* far_line = near_line + coarse_size;
+    const auto mixed = [&](int x) { return near_line[x] + z.share * (far_line[x] - near_line[x]); };
     for (int column = 0; column < shadow_size; ++column) {
-      const float x = (static_cast<float>(column) + 0.5f) / ratio - 0.5f;
-      const int x0 = std::clamp(static_cast<int>(std::floor(x)), 0, coarse_size - 2);
-      const float fx = std::clamp(x - static_cast<float>(x0), 0.0f, 1.0f);
-      const float* c = coarse_.data() + z0 * coarse_size + x0;
-      const float vague = (1 - fz) * ((1 - fx) * c[0] + fx * c[1]) +
-                          fz * ((1 - fx) * c[coarse_size] + fx * c[coarse_size + 1]);
+      const Between x = coarse_place(column);
+      const float low = mixed(x.first);
+      const float vague = low + x.share * (mixed(x.first + 1) - low);
       const auto i = static_cast<std::size_t>(row * shadow_size + column);
       // Light that is left after the density, in the form that needs no exp.
-      texels_[i] = static_cast<std::uint8_t>(255.0f / (1 + fine_[i] + vague) + 0.5f);
+      texels_[i] = 1 / (1 + fine_[i] + vague);
     }
   }
 }

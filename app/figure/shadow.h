@@ -4,7 +4,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
 #include "app/figure/mannequin.h"
@@ -18,17 +17,16 @@ class Shadow {
  public:
   // `light` points from the ground to the light.
   void splat(const std::vector<Part>& parts, const Eigen::Vector3f& light);
-  // shadow_size^2, x along +X, then along +Z; 255 is full light.
-  const std::array<std::uint8_t, shadow_size * shadow_size>& texels() const { return texels_; }
+  // shadow_size^2, x along +X, then along +Z; 1 is full light.
+  const std::array<float, shadow_size * shadow_size>& texels() const { return texels_; }
 
  private:
-  static constexpr int coarse_size = 32;  // for what is high and therefore vague
   void splat_part(const Part& part, const Eigen::Vector3f& light);
   void resolve();
 
   std::array<float, shadow_size * shadow_size> fine_{};
-  std::array<float, coarse_size * coarse_size> coarse_{};
-  std::array<std::uint8_t, shadow_size * shadow_size> texels_{};
+  std::array<float, 32 * 32> coarse_{};  // for what is high and therefore vague
+  std::array<float, shadow_size * shadow_size> texels_{};
 };
 
 }  // namespace promenade::app

@@ -5,11 +5,9 @@
 
 #include <Eigen/Dense>
 
-namespace promenade::app {
+#include "app/box.h"
 
-struct Box {  // pixels of the framebuffer, y down
-  float x = 0, y = 0, width = 0, height = 0;
-};
+namespace promenade::app {
 
 // What the participant turns: the figure on its spot, and how it is looked at.
 struct Orbit {
