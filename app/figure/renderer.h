@@ -14,8 +14,6 @@
 
 namespace promenade::app {
 
-
-
 // From the ground to the light, unit length: from the viewer's upper left.
 Eigen::Vector3f key_light();
 // The same for the shadow: steeper, so that it stays at the feet (ours).
