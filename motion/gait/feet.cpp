@@ -1,5 +1,6 @@
 #include "motion/gait/feet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/gait/curve.h"
