@@ -22,10 +22,9 @@ constexpr const char* methods[] = {
     ("Comparisons. Wilcoxon's signed-rank test on the differences a − b of each pair of "
      "interfaces, in the order of the study. Zeros are dropped, ties get midranks, and p comes "
      "from the exact conditional distribution given these ranks, two-sided by doubling. The normal "
-     "p beside it is without continuity correction. Magnitudes that differ by less than 1e-9 of "
-     "the "
-     "largest value are ties. r is the matched-pairs rank-biserial correlation (W+ − W−)/(W+ + "
-     "W−)."),
+     "p beside it is without continuity correction. Magnitudes that differ by less than 1e-9 "
+     "of the largest value are ties. r is the matched-pairs rank-biserial correlation "
+     "(W+ − W−)/(W+ + W−)."),
     ("Size. The difference is the Hodges-Lehmann estimate, the median of all Walsh averages of all "
      "differences, zeros included, with the interval that belongs to the test: its level is at "
      "least 95 %, and there is none for fewer than six. The intervals of medians are those of the "
