@@ -70,7 +70,8 @@ void Stage::draw(FigureRenderer& renderer, const Layout& layout, const Palette& 
                          {.ring = target ? palette.target : palette.created,
                           .dashed = target,
                           .travel = figure.travel,
-                          .yaw = start_yaw + orbit_.yaw},
+                          .yaw = start_yaw + orbit_.yaw,
+                          .stroke = layout.scale},
                          figure.shadow);
   }
   for (const Role role : {Role::target, Role::created}) {

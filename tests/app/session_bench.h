@@ -31,6 +31,7 @@ class SessionBench {
   void type(const std::string& text);
 
  private:
+  std::int64_t now_us_ = 1'000'000;  // first: the session begins at it
   std::filesystem::path file_;
   study::StudyBundle bundle_;
   study::Texts texts_;
@@ -40,7 +41,6 @@ class SessionBench {
   LiveSession live_;
   SessionView view_;
   Autopilot autopilot_;
-  std::int64_t now_us_ = 1'000'000;
 };
 
 }  // namespace promenade::app::bench
