@@ -29,22 +29,26 @@ void Stage::advance(std::int64_t now_us, const motion::Cycle* target,
   const std::int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
   const double seconds = passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us);
   last_us_ = now_us;
-  const motion::Cycle* pace = created != nullptr ? created : target;
+  const motion::Cycle* pace = target != nullptr ? target : created;
+  const double before = phase_;
   if (pace != nullptr) {
-    phase_ = motion::phase_at(set_, *pace, motion::seconds_at(set_, *pace, phase_) + seconds);
-    phase_ -= std::floor(phase_);
+    phase_ = motion::phase_at(set_, *pace, motion::seconds_at(set_, *pace, before) + seconds);
   }
-  pose(figures_[0], target, seconds);
-  pose(figures_[1], created, seconds);
+  pose(figures_[0], target, before);
+  pose(figures_[1], created, before);
+  phase_ -= std::floor(phase_);
 }
 
-void Stage::pose(Figure& figure, const motion::Cycle* cycle, double seconds) {
+void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
   figure.present = cycle != nullptr;
   if (cycle == nullptr) return;
   const motion::Pose at = motion::pose_at(set_, *cycle, phase_);
   place_parts(mannequin_, motion::forward_kinematics(set_.skeleton, at), figure.parts);
   turn(figure.parts, start_yaw + orbit_.yaw);
   figure.shadow.splat(figure.parts, shadow_light());
+  // In its own time, so that its feet stay where they stand.
+  const double seconds =
+      motion::seconds_at(set_, *cycle, phase_) - motion::seconds_at(set_, *cycle, before);
   figure.travel += (cycle->velocity * seconds).cast<float>();
   // The grid repeats every metre.
   figure.travel -= figure.travel.array().floor().matrix();

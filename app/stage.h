@@ -17,8 +17,9 @@ class Stage {
   explicit Stage(const motion::MotionSet& set);
 
   // One step of time with what is on stage: null figures are not there. Both walk
-  // at one phase; how fast is the created one's affair, so that a change of its
-  // weights never makes a figure jump.
+  // at one phase, so that a change of weights never makes a figure jump. The target
+  // sets the pace, since what is to be matched must not change with the controls;
+  // alone, the created figure walks at its own.
   void advance(std::int64_t now_us, const motion::Cycle* target, const motion::Cycle* created);
   void draw(FigureRenderer& renderer, const Layout& layout, const Palette& palette);
 
@@ -37,7 +38,7 @@ class Stage {
     View view;
   };
   const Figure& figure(Role role) const { return figures_[role == Role::target ? 0 : 1]; }
-  void pose(Figure& figure, const motion::Cycle* cycle, double seconds);
+  void pose(Figure& figure, const motion::Cycle* cycle, double before);
   Box spot(const Layout& layout, Role role) const;
 
   const motion::MotionSet& set_;

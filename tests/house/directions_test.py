@@ -16,7 +16,7 @@ ROOMS = {
                  "libraries": ("Eigen/", "sqlite3.h", "fmt/", "nlohmann/", "boost/")},
     "app": {"own": ("motion/", "study/", "analysis/", "app/"),
             "libraries": ("Eigen/", "fmt/", "nlohmann/", "CLI/", "GLFW/", "imgui",
-                          "backends/imgui_", "epoxy/", "glm/")},
+                          "backends/imgui_", "epoxy/")},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
 STANDARD = re.compile(r"^[a-z_]+$|^[a-z_]+\.h$|^sys/[a-z_]+\.h$")
