@@ -161,7 +161,6 @@ std::int64_t pragma(Database& database, const char* name) {
 }  // namespace
 
 void create_tables(Database& database) {
-  Transaction transaction(database);
   database.exec(tables_sql);
   database.exec("PRAGMA application_id = " + std::to_string(application_id));
   database.exec("PRAGMA user_version = " + std::to_string(schema_version));
@@ -169,7 +168,6 @@ void create_tables(Database& database) {
   for (const Meaning& row : meanings) {
     insert.bind(1, row.table).bind(2, row.column).bind(3, row.unit).bind(4, row.meaning).run();
   }
-  transaction.commit();
 }
 
 void check_database(Database& database) {

@@ -11,7 +11,8 @@ class Database;
 inline constexpr int application_id = 0x50524d44;  // "PRMD"
 inline constexpr int schema_version = 1;           // PRAGMA user_version
 
-// Makes all tables in an empty database and fills `dictionary`.
+// Makes all tables in an empty database and fills `dictionary`. The transaction is
+// the caller's.
 void create_tables(Database& database);
 
 // Throws InputError when the file is no database of Promenade, or of a newer

@@ -37,6 +37,19 @@ bool has_tables(Database& database) {
   return statement.step();
 }
 
+// Killed while it was made, or not yet made by another process: nobody's so far.
+bool is_blank(Database& database) {
+  try {
+    Statement statement(database,
+                        "SELECT 1 FROM pragma_application_id, pragma_user_version WHERE "
+                        "application_id = 0 AND user_version = 0 AND "
+                        "NOT EXISTS (SELECT 1 FROM sqlite_schema)");
+    return statement.step();
+  } catch (const DatabaseError&) {
+    return false;  // no database; whoever looks closer says so
+  }
+}
+
 void refuse_other_study(Database& database, const StudyBundle& bundle) {
   Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
   if (known.bind(1, bundle.sha256).step()) return;
@@ -71,8 +84,18 @@ void check_existing(const std::string& file, const StudyBundle& bundle) {
   }
   if (std::filesystem::file_size(file, error) == 0) return;
   Database database(file, Database::Mode::read_only);
+  if (is_blank(database)) return;
   check_database(database);
   if (has_tables(database)) refuse_other_study(database, bundle);
+}
+
+// As one: another process may be making the same file, and either may be killed.
+void make_tables(Database& database, const StudyBundle& bundle) {
+  Transaction transaction(database);
+  if (!has_tables(database)) create_tables(database);
+  refuse_other_study(database, bundle);
+  put_study(database, bundle);
+  transaction.commit();
 }
 
 }  // namespace
@@ -89,8 +112,7 @@ Database open_store(const std::filesystem::path& path, const StudyBundle& bundle
   database.exec("PRAGMA wal_autocheckpoint = 0");
   database.exec("PRAGMA synchronous = NORMAL");
   database.exec("PRAGMA foreign_keys = ON");
-  if (!has_tables(database)) create_tables(database);
-  put_study(database, bundle);
+  make_tables(database, bundle);
   return database;
 }
 

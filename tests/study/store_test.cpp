@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <future>
 
 #include "play.h"
 #include "study/schema.h"
@@ -156,6 +157,26 @@ TEST_F(StoreTest, TakesTheSameStudyAgain) {
   const StudyBundle bundle = toy::bundle();
   { Store store(file(), bundle); }
   { Store store(file(), bundle); }
+  EXPECT_EQ(count("SELECT count(*) FROM study"), 1);
+}
+
+TEST_F(StoreTest, TakesAFileWhoseMakingWasCutOff) {
+  { Database(file(), Database::Mode::create).exec("PRAGMA journal_mode = WAL"); }
+  ASSERT_GT(fs::file_size(file()), 0U);
+  { Store store(file(), toy::bundle()); }
+  EXPECT_EQ(count("SELECT count(*) FROM study"), 1);
+}
+
+TEST_F(StoreTest, IsMadeOnceWhenTwoOpenItAtOnce) {
+  const StudyBundle bundle = toy::bundle();
+  for (int round = 0; round < 20; ++round) {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    const auto open = [&] { return refusal(file(), bundle); };
+    auto other = std::async(std::launch::async, open);
+    EXPECT_EQ(open(), "");
+    EXPECT_EQ(other.get(), "");
+  }
   EXPECT_EQ(count("SELECT count(*) FROM study"), 1);
 }
 
