@@ -112,6 +112,7 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
 
 double median_length(const std::vector<CycleCandidate>& cycles) {
   std::vector<double> lengths;
+  lengths.reserve(cycles.size());
   for (const CycleCandidate& cycle : cycles) lengths.push_back(cycle.length());
   std::sort(lengths.begin(), lengths.end());
   return lengths[lengths.size() / 2];
