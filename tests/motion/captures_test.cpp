@@ -102,5 +102,11 @@ TEST_F(Captures, StayWhereTheyWereRecorded) {
   }
 }
 
+TEST_F(Captures, OfOtherThingsThanWalkingAreRefused) {
+  const fs::path jumps = data_folder() / "cmu" / "01_01.bvh";
+  if (!fs::exists(jumps)) GTEST_SKIP() << "There is no capture " << jumps << ".";
+  EXPECT_THROW(build_set({{jumps.string(), "01_01.bvh", "jumps"}}, {}), InputError);
+}
+
 }  // namespace
 }  // namespace promenade::motion
