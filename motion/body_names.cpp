@@ -96,7 +96,7 @@ void split_glued_side(PlainName& name) {
 
 std::size_t on_side(BodyJoint left_part, Side side) {
   static_assert(right_clavicle - left_clavicle == 4 && right_hip - left_hip == 4);
-  return static_cast<std::size_t>(left_part + (side == Side::right ? 4 : 0));
+  return static_cast<std::size_t>(left_part) + (side == Side::right ? 4U : 0U);
 }
 
 void set_first(NamedJoints& found, std::size_t part, int joint) {

@@ -6,6 +6,10 @@
 namespace promenade::motion {
 namespace {
 
+// From a part on the left to the same on the right.
+constexpr std::size_t other_side = right_hip - left_hip;
+static_assert(other_side == right_clavicle - left_clavicle);
+
 int parent_of(const Skeleton& skeleton, int joint) {
   return skeleton.joints[static_cast<std::size_t>(joint)].parent;
 }
@@ -81,18 +85,18 @@ Limb find_limb(const Skeleton& skeleton, const Reach& reach, const Eigen::Vector
   return limb;
 }
 
-void set_leg(NamedJoints& found, const Limb& limb, int shift) {
-  found[static_cast<std::size_t>(left_hip + shift)] = limb.upper;
-  found[static_cast<std::size_t>(left_knee + shift)] = limb.middle;
-  found[static_cast<std::size_t>(left_ankle + shift)] = limb.lower;
-  found[static_cast<std::size_t>(left_toe + shift)] = limb.tip;
+void set_leg(NamedJoints& found, const Limb& limb, std::size_t shift) {
+  found[left_hip + shift] = limb.upper;
+  found[left_knee + shift] = limb.middle;
+  found[left_ankle + shift] = limb.lower;
+  found[left_toe + shift] = limb.tip;
 }
 
-void set_arm(NamedJoints& found, const Limb& limb, int shift) {
-  found[static_cast<std::size_t>(left_clavicle + shift)] = limb.before;
-  found[static_cast<std::size_t>(left_shoulder + shift)] = limb.upper;
-  found[static_cast<std::size_t>(left_elbow + shift)] = limb.middle;
-  found[static_cast<std::size_t>(left_wrist + shift)] = limb.lower;
+void set_arm(NamedJoints& found, const Limb& limb, std::size_t shift) {
+  found[left_clavicle + shift] = limb.before;
+  found[left_shoulder + shift] = limb.upper;
+  found[left_elbow + shift] = limb.middle;
+  found[left_wrist + shift] = limb.lower;
 }
 
 void find_upper_body(const Skeleton& skeleton, const Reach& reach, const Eigen::VectorXd& bones,
@@ -101,7 +105,7 @@ void find_upper_body(const Skeleton& skeleton, const Reach& reach, const Eigen::
   if (fork < 0) return;
   const std::vector<int> limbs = branches(reach, bones, fork);
   set_arm(found, find_limb(skeleton, reach, bones, limbs[0]), 0);
-  set_arm(found, find_limb(skeleton, reach, bones, limbs[1]), right_clavicle - left_clavicle);
+  set_arm(found, find_limb(skeleton, reach, bones, limbs[1]), other_side);
   if (limbs.size() < 3) return;
   found[neck] = limbs[2];
   found[head] = reach.next[static_cast<std::size_t>(limbs[2])];
@@ -120,8 +124,8 @@ int common_ancestor(const Skeleton& skeleton, int a, int b) {
 }
 
 bool legs_are_whole(const Skeleton& skeleton, const NamedJoints& joints) {
-  for (const int shift : {0, right_hip - left_hip}) {
-    const auto at = [&](BodyJoint part) { return joints[static_cast<std::size_t>(part + shift)]; };
+  for (const std::size_t shift : {std::size_t{0}, other_side}) {
+    const auto at = [&](BodyJoint part) { return joints[part + shift]; };
     const int hip = at(left_hip), knee = at(left_knee), ankle = at(left_ankle);
     if (hip < 0 || knee <= hip || ankle <= knee) return false;
     if (!is_below(skeleton, knee, hip) || !is_below(skeleton, ankle, knee)) return false;
@@ -146,7 +150,7 @@ NamedJoints joints_by_topology(const Skeleton& skeleton, const Eigen::VectorXd& 
   const int trunk = first_is_trunk ? limbs[0] : limbs[2];
   limbs.erase(std::find(limbs.begin(), limbs.end(), trunk));
   set_leg(found, find_limb(skeleton, reach, bones, limbs[0]), 0);
-  set_leg(found, find_limb(skeleton, reach, bones, limbs[1]), right_hip - left_hip);
+  set_leg(found, find_limb(skeleton, reach, bones, limbs[1]), other_side);
   find_upper_body(skeleton, reach, bones, trunk, length(1), found);
   return found;
 }

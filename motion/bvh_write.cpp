@@ -44,7 +44,7 @@ class HierarchyWriter {
     std::vector<std::pair<std::size_t, std::size_t>> open;  // joint, next child
     enter(0, 0);
     order.push_back(0);
-    open.push_back({0, 0});
+    open.emplace_back(0, 0);
     while (!open.empty()) {
       auto& [joint, child] = open.back();
       if (child == children_[joint].size()) {
@@ -55,7 +55,7 @@ class HierarchyWriter {
       const auto next = static_cast<std::size_t>(children_[joint][child++]);
       enter(next, open.size());
       order.push_back(next);
-      open.push_back({next, 0});
+      open.emplace_back(next, 0);
     }
     return std::move(text_);
   }

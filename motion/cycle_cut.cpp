@@ -95,7 +95,7 @@ Velocity velocity_at(const Take& take, double frame, const Quaterniond& turn) {
   const double seconds = (after - before) * take.frame_time;
   Velocity velocity{turn * (b.root - a.root) / seconds, {}};
   for (std::size_t j = 0; j < a.rotations.size(); ++j) {
-    velocity.rotations.push_back(log_of(a.rotations[j].conjugate() * b.rotations[j]) / seconds);
+    velocity.rotations.emplace_back(log_of(a.rotations[j].conjugate() * b.rotations[j]) / seconds);
   }
   return velocity;
 }
@@ -127,9 +127,8 @@ void close_loop(const Take& take, const CycleCandidate& cut, Loop& loop) {
 
 Pose pose_of(const Loop& loop, double seconds) {
   const double position = std::clamp(grid * seconds / loop.seconds, 0.0, double{grid});
-  const int k = std::min(static_cast<int>(position), grid - 1);
-  return mix(loop.poses[static_cast<std::size_t>(k)], loop.poses[static_cast<std::size_t>(k + 1)],
-             position - k);
+  const auto k = static_cast<std::size_t>(std::min(std::floor(position), grid - 1.0));
+  return mix(loop.poses[k], loop.poses[k + 1], position - static_cast<double>(k));
 }
 
 std::vector<double> keytimes_of(const CycleCandidate& cut, double frame_time) {

@@ -11,6 +11,7 @@ using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
 constexpr double velocity_seconds = 0.08;  // what a gap in velocity weighs against one in position
 constexpr double least_overlap = 0.025;    // both feet on the ground, share of the cycle
+constexpr double most_overlap = 0.35;      // an old or sad walk has up to 0.2
 constexpr double most_turn = 0.45;         // radians in one cycle
 
 Body body_velocity(const Take& take, double frame) {
@@ -36,6 +37,8 @@ std::string trouble_of(const Take& take, const CycleCandidate& cycle) {
   const double leg = leg_length(take.skeleton, take.body);
   if (seconds < 0.5 || seconds > 4) return "no cycle of 0.5 to 4 seconds";
   if (std::hypot(travel.x(), travel.z()) < 0.25 * leg) return "the figure does not walk on";
+  const double overlap = std::max(cycle.keys[2] - cycle.keys[1], cycle.keys[4] - cycle.keys[3]);
+  if (overlap > most_overlap * cycle.length()) return "both feet stand for too long for a walk";
   if (std::abs(cycle.turn) > most_turn) return "the figure turns all the time";
   return {};
 }
@@ -112,6 +115,7 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
 
 double median_length(const std::vector<CycleCandidate>& cycles) {
   std::vector<double> lengths;
+  lengths.reserve(cycles.size());
   for (const CycleCandidate& cycle : cycles) lengths.push_back(cycle.length());
   std::sort(lengths.begin(), lengths.end());
   return lengths[lengths.size() / 2];

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "motion/foot_plant.h"
+#include "motion/heel.h"
 
 namespace promenade::motion {
 namespace {
@@ -9,10 +11,6 @@ namespace {
 using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
 double most(const Body& difference) { return difference.colwise().norm().maxCoeff(); }
-
-double ground_distance(const Body& a, const Body& b, BodyJoint joint) {
-  return std::hypot(a(0, joint) - b(0, joint), a(2, joint) - b(2, joint));
-}
 
 }  // namespace
 
@@ -30,13 +28,23 @@ double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side) {
   const LegJoints leg = leg_joints(side);
   const double on = left ? cycle.keytimes[3] : cycle.keytimes[1];
   const double off = left ? cycle.keytimes[2] + cycle.seconds : cycle.keytimes[4];
+  const Body flat = body_over_ground(set, cycle, 0.5 * (on + off));
+  const Heel heel = find_heel(flat.col(leg.ankle), flat.col(leg.toe));
+  const auto sole = [&](double seconds) {
+    const Body body = body_over_ground(set, cycle, seconds);
+    const Eigen::Vector3d ankle = body.col(leg.ankle), toe = body.col(leg.toe);
+    return std::array{heel_position(heel, ankle, toe), ankle, toe};
+  };
   constexpr int steps = 60;
   double slide = 0;
-  Body before = body_over_ground(set, cycle, on);
+  auto before = sole(on);
   for (int k = 1; k <= steps; ++k) {
-    const Body now = body_over_ground(set, cycle, on + (off - on) * k / steps);
-    slide +=
-        std::min(ground_distance(before, now, leg.ankle), ground_distance(before, now, leg.toe));
+    const auto now = sole(on + (off - on) * k / steps);
+    double least = INFINITY;
+    for (std::size_t p = 0; p < now.size(); ++p) {
+      least = std::min(least, std::hypot(now[p].x() - before[p].x(), now[p].z() - before[p].z()));
+    }
+    slide += least;
     before = now;
   }
   return slide;

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/heel.h"
 #include "motion/rotation.h"
 
 namespace promenade::motion {
@@ -12,7 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double fade_seconds = 0.1;  // over which a swinging foot forgets its velocity
+constexpr double fade_seconds = 0.1;   // over which a swinging foot forgets its velocity
+constexpr double cover_seconds = 0.1;  // over which the pelvis comes down and up again
 // A leg reaches at most this share of its length: a knee that comes out of a straight
 // leg would snap.
 constexpr double most_reach = 0.9965;
@@ -41,12 +43,13 @@ struct Walk {
 
   int phases() const { return set.phases; }
   std::size_t wrapped(int f) const { return static_cast<std::size_t>(f % phases()); }
-  double time(int f) const { return times[wrapped(f)] + f / phases() * cycle.seconds; }
+  double time(int f) const {
+    const int turns = f / phases();
+    return times[wrapped(f)] + turns * cycle.seconds;
+  }
 
-  // Over the ground: left and ahead, metres.
-  Vector2d ground(int f, BodyJoint part) const {
-    const Vector3d at = worlds[wrapped(f)].positions.col(set.body.joint[part]);
-    return Vector2d(at.x(), at.z()) + time(f) * cycle.velocity;
+  Vector3d place(int f, BodyJoint part) const {
+    return worlds[wrapped(f)].positions.col(set.body.joint[part]);
   }
 };
 
@@ -63,24 +66,49 @@ Walk make_walk(const MotionSet& set, const Cycle& cycle) {
 }
 
 Vector3d at(const Walk& walk, std::size_t f, BodyJoint part) {
-  return walk.worlds[f].positions.col(walk.set.body.joint[part]);
+  return walk.place(static_cast<int>(f), part);
 }
 
-// The phase at which the foot changes from standing by its ankle to standing by its
-// toe: where both together have moved least.
-int heel_off(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
-  const auto step = [&](int f, BodyJoint part) {
-    return (walk.ground(f + 1, part) - walk.ground(f, part)).norm();
+// One step of a stance, from phase to phase over the ground: left and ahead, metres.
+struct FootStep {
+  Vector2d sole, toe;  // sole: the one of heel and ankle that moves less
+};
+
+// A foot that strikes with its heel turns about it until it is flat. Then heel and ankle
+// stand both, and at last the toe alone.
+std::vector<FootStep> foot_steps(const Walk& walk, const StancePhases& stance,
+                                 const LegJoints& leg) {
+  const int flat = (stance.on + stance.off) / 2;
+  const Heel heel = find_heel(walk.place(flat, leg.ankle), walk.place(flat, leg.toe));
+  const auto ground = [&](int f) {
+    const Vector3d ankle = walk.place(f, leg.ankle), toe = walk.place(f, leg.toe);
+    Eigen::Matrix<double, 2, 3> points;
+    int column = 0;
+    for (const Vector3d& p : {heel_position(heel, ankle, toe), ankle, toe}) {
+      points.col(column++) = Vector2d(p.x(), p.z()) + walk.time(f) * walk.cycle.velocity;
+    }
+    return points;
   };
-  double moved = 0;
-  for (int f = stance.on; f < stance.off; ++f) moved += step(f, leg.toe);
-  double least = moved;
-  int best = stance.on;
+  std::vector<FootStep> steps;
   for (int f = stance.on; f < stance.off; ++f) {
-    moved += step(f, leg.ankle) - step(f, leg.toe);
+    const Eigen::Matrix<double, 2, 3> step = ground(f + 1) - ground(f);
+    steps.push_back(
+        {step.col(0).norm() < step.col(1).norm() ? step.col(0) : step.col(1), step.col(2)});
+  }
+  return steps;
+}
+
+// The step from which on a foot stands by its toe: where all together move least.
+std::size_t heel_off(const std::vector<FootStep>& steps) {
+  double moved = 0;
+  for (const FootStep& step : steps) moved += step.toe.norm();
+  double least = moved;
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    moved += steps[k].sole.norm() - steps[k].toe.norm();
     if (moved < least) {
       least = moved;
-      best = f + 1;
+      best = k + 1;
     }
   }
   return best;
@@ -88,14 +116,13 @@ int heel_off(const Walk& walk, const StancePhases& stance, const LegJoints& leg)
 
 // 2 x (phases of the stance): how far the ankle must be moved so that the foot stands,
 // with mean 0 over the stance.
-Eigen::Matrix2Xd stance_shift(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
-  const int change = heel_off(walk, stance, leg);
-  Eigen::Matrix2Xd shift(2, stance.off - stance.on + 1);
+Eigen::Matrix2Xd stance_shift(const std::vector<FootStep>& steps) {
+  const std::size_t change = heel_off(steps);
+  Eigen::Matrix2Xd shift(2, static_cast<Eigen::Index>(steps.size()) + 1);
   shift.col(0).setZero();
-  for (int f = stance.on; f < stance.off; ++f) {
-    const BodyJoint held = f < change ? leg.ankle : leg.toe;
-    shift.col(f + 1 - stance.on) =
-        shift.col(f - stance.on) - (walk.ground(f + 1, held) - walk.ground(f, held));
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    shift.col(column + 1) = shift.col(column) - (k < change ? steps[k].sole : steps[k].toe);
   }
   const Vector2d mean = shift.rowwise().mean();
   shift.colwise() -= mean;
@@ -110,11 +137,12 @@ using FootChanges = Eigen::Matrix<double, 5, Eigen::Dynamic>;
 // A foot whose toe is held back while the ankle goes on comes up a little more: it turns
 // about the toe towards where its ankle was, the more the nearer it is to leaving.
 FootChanges stance_changes(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
-  const Eigen::Matrix2Xd shift = stance_shift(walk, stance, leg);
+  const std::vector<FootStep> steps = foot_steps(walk, stance, leg);
+  const Eigen::Matrix2Xd shift = stance_shift(steps);
   FootChanges changes = FootChanges::Zero(5, shift.cols());
   changes.topRows<2>() = shift;
   const double middle = 0.5 * (walk.time(stance.on) + walk.time(stance.off));
-  const double start = std::max(middle, walk.time(heel_off(walk, stance, leg)));
+  const double start = std::max(middle, walk.time(stance.on + static_cast<int>(heel_off(steps))));
   for (int f = stance.on; f <= stance.off; ++f) {
     const double x = (walk.time(f) - start) / std::max(walk.time(stance.off) - start, 1e-9);
     if (x <= 0) continue;
@@ -194,7 +222,7 @@ Vector2d speed_of_feet(const Walk& walk) {
   double seconds = 0;
   for (const Side side : {Side::left, Side::right}) {
     const StancePhases stance = stance_phases(walk.set, side);
-    const Eigen::Matrix2Xd shift = stance_shift(walk, stance, leg_joints(side));
+    const Eigen::Matrix2Xd shift = stance_shift(foot_steps(walk, stance, leg_joints(side)));
     drift += shift(1, 0) - shift(1, shift.cols() - 1);
     seconds += walk.time(stance.off) - walk.time(stance.on);
   }
@@ -202,28 +230,80 @@ Vector2d speed_of_feet(const Walk& walk) {
   return walk.cycle.velocity + Vector2d(0, std::clamp(-drift / seconds, -most, most));
 }
 
-// Never less than the values, and smooth around the cycle.
-std::vector<double> smooth_cover(const std::vector<double>& values) {
-  const int size = static_cast<int>(values.size());
-  const int reach = std::max(size / 15, 1);
-  const auto around = [&](const std::vector<double>& v, int f) {
-    return v[static_cast<std::size_t>((f + size) % size)];
+// Never less than the values (F), and smooth in time around the cycle. Phases lie close
+// together where both feet stand, so it is time that counts.
+std::vector<double> smooth_cover(const Walk& walk, const std::vector<double>& values) {
+  const int size = walk.phases();
+  const auto weight = [&](int f, int g) {
+    double apart = std::abs(walk.times[walk.wrapped(f)] - walk.times[walk.wrapped(g)]);
+    apart = std::min(apart, walk.cycle.seconds - apart);
+    return apart < cover_seconds ? 0.5 + 0.5 * std::cos(M_PI * apart / cover_seconds) : 0;
   };
-  std::vector<double> covered(values.size()), smooth(values.size(), 0);
+  std::vector<double> covered(values.size(), 0), smooth(values.size(), 0);
   for (int f = 0; f < size; ++f) {
-    double& most = covered[static_cast<std::size_t>(f)];
-    for (int d = -reach; d <= reach; ++d) most = std::max(most, around(values, f + d));
-  }
-  double total = 0;
-  for (int d = -reach; d <= reach; ++d) {
-    const double weight = 0.5 + 0.5 * std::cos(M_PI * d / (reach + 1));
-    total += weight;
-    for (int f = 0; f < size; ++f) {
-      smooth[static_cast<std::size_t>(f)] += weight * around(covered, f + d);
+    for (int g = 0; g < size; ++g) {
+      double& most = covered[walk.wrapped(f)];
+      if (weight(f, g) > 0) most = std::max(most, values[walk.wrapped(g)]);
     }
   }
-  for (double& value : smooth) value /= total;
+  for (int f = 0; f < size; ++f) {
+    double sum = 0;
+    for (int g = 0; g < size; ++g) {
+      const double share =
+          weight(f, g) * (walk.time(g + 1) - walk.time(g + size - 1) + walk.cycle.seconds);
+      smooth[walk.wrapped(f)] += share * covered[walk.wrapped(g)];
+      sum += share;
+    }
+    smooth[walk.wrapped(f)] /= sum;
+  }
   return smooth;
+}
+
+// Where one foot is wanted at every phase, and about what its knee bends.
+struct FootPlan {
+  Side side;
+  Vector3d knee;
+  std::vector<FootTarget> targets;  // F
+};
+
+FootPlan plan_foot(const Walk& walk, Side side) {
+  FootPlan plan{side, knee_axis(walk.set.skeleton, walk.set.body, side, walk.poses), {}};
+  const FootChanges changes = foot_changes(walk, side);
+  for (std::size_t f = 0; f < walk.poses.size(); ++f) {
+    plan.targets.push_back(target_of(walk, f, side, changes.col(static_cast<Eigen::Index>(f))));
+  }
+  return plan;
+}
+
+double most_moved(const Walk& walk, const FootPlan& plan) {
+  double most = 0;
+  for (std::size_t f = 0; f < plan.targets.size(); ++f) {
+    const Vector3d ankle = at(walk, f, leg_joints(plan.side).ankle);
+    most = std::max(most, (plan.targets[f].ankle - ankle).norm());
+  }
+  return most;
+}
+
+// F, metres: how far the pelvis comes down so that every foot is reached.
+std::vector<double> pelvis_lowering(const Walk& walk, const std::array<FootPlan, 2>& plans) {
+  std::vector<double> low(walk.poses.size(), 0);
+  for (const FootPlan& plan : plans) {
+    for (std::size_t f = 0; f < low.size(); ++f) {
+      const LegJoints leg = leg_joints(plan.side);
+      low[f] = std::max(low[f], lowering(walk, f, leg, plan.targets[f].ankle));
+    }
+  }
+  return smooth_cover(walk, low);
+}
+
+void move_body(const std::vector<double>& low, const std::array<FootPlan, 2>& plans, Walk& walk) {
+  for (std::size_t f = 0; f < low.size(); ++f) {
+    walk.poses[f].root.y() -= low[f];
+    for (const FootPlan& plan : plans) {
+      move_foot(walk.set.skeleton, walk.set.body, plan.side, plan.knee, plan.targets[f],
+                walk.poses[f]);
+    }
+  }
 }
 
 void store(const Walk& walk, Cycle& cycle) {
@@ -246,30 +326,13 @@ PlantReport plant_feet(const MotionSet& set, Cycle& cycle) {
   report.speed_change = -cycle.velocity.norm();
   cycle.velocity = speed_of_feet(walk);
   report.speed_change += cycle.velocity.norm();
-  std::vector<std::array<FootTarget, 2>> targets(walk.poses.size());
-  std::vector<double> low(walk.poses.size(), 0);
-  std::array<Vector3d, 2> axes;
-  for (const Side side : {Side::left, Side::right}) {
-    const auto s = static_cast<std::size_t>(side);
-    const FootChanges changes = foot_changes(walk, side);
-    axes[s] = knee_axis(set.skeleton, set.body, side, walk.poses);
-    for (std::size_t f = 0; f < low.size(); ++f) {
-      const LegJoints leg = leg_joints(side);
-      targets[f][s] = target_of(walk, f, side, changes.col(static_cast<Eigen::Index>(f)));
-      low[f] = std::max(low[f], lowering(walk, f, leg, targets[f][s].ankle));
-      const double moved = (targets[f][s].ankle - at(walk, f, leg.ankle)).norm();
-      report.moved_m = std::max(report.moved_m, moved);
-    }
+  const std::array<FootPlan, 2> plans = {plan_foot(walk, Side::left), plan_foot(walk, Side::right)};
+  for (const FootPlan& plan : plans) {
+    report.moved_m = std::max(report.moved_m, most_moved(walk, plan));
   }
-  low = smooth_cover(low);
-  for (std::size_t f = 0; f < low.size(); ++f) {
-    report.lowered_m = std::max(report.lowered_m, low[f]);
-    walk.poses[f].root.y() -= low[f];
-    for (const Side side : {Side::left, Side::right}) {
-      const auto s = static_cast<std::size_t>(side);
-      move_foot(set.skeleton, set.body, side, axes[s], targets[f][s], walk.poses[f]);
-    }
-  }
+  const std::vector<double> low = pelvis_lowering(walk, plans);
+  report.lowered_m = *std::max_element(low.begin(), low.end());
+  move_body(low, plans, walk);
   store(walk, cycle);
   return report;
 }

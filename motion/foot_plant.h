@@ -1,8 +1,9 @@
 // Feet that stand do not slide. Planting them, and measuring how well a loop
 // closes and its feet stand, for captured, generated and blended cycles alike.
 //
-// A foot stands from its "on" to its "off" keytime. It is held by its ankle first
-// and by its toe once the heel comes up; where that changes is seen in the motion.
+// A foot stands from its "on" to its "off" keytime. It is held by its heel or ankle first
+// (it turns about the heel until it is flat) and by its toe once the heel comes up; where
+// that changes is seen in the motion.
 #pragma once
 
 #include "motion/leg_ik.h"
@@ -23,7 +24,7 @@ struct PlantReport {
 PlantReport plant_feet(const MotionSet& set, Cycle& cycle);
 
 // How far the supporting point of a foot slides over the ground while it stands: the
-// path of the one of ankle and toe that moves less, step by step, metres.
+// path of the one of heel, ankle and toe that moves least, step by step, metres.
 double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side);
 
 // What happens where the last pose meets the first. A gap is how far a joint lies from

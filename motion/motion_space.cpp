@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "motion/canonical.h"
+#include "motion/rotation.h"
 
 namespace promenade::motion {
 namespace {
@@ -13,19 +14,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using Eigen::Vector4d;
-
-Vector3d log_of(Quaterniond q) {
-  if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  const double scale = sine > 1e-12 ? 2 * std::atan2(sine, q.w()) / sine : 2;
-  return scale * q.vec();
-}
-
-Quaterniond exp_of(const Vector3d& offset) {
-  const double half = 0.5 * offset.norm();
-  const double scale = half > 1e-12 ? 0.5 * std::sin(half) / half : 0.5;
-  return {std::cos(half), scale * offset.x(), scale * offset.y(), scale * offset.z()};
-}
 
 // The leading eigenvector of sum q q^T: free of order and sign.
 Vector4d mean_rotation(const MotionSet& set, int column) {

@@ -13,27 +13,47 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view style_mark = "{style}";
 
-// Fits `name` to `pattern` from the left; "*" and {style} take as little as they can.
-// `style` gets what {style} took.
-bool fits(std::string_view name, std::string_view pattern, std::string* style) {
-  if (pattern.empty()) return name.empty();
-  if (pattern.substr(0, style_mark.size()) == style_mark) {
-    for (std::size_t size = 1; size <= name.size(); ++size) {
-      if (!fits(name.substr(size), pattern.substr(style_mark.size()), style)) continue;
-      *style = name.substr(0, size);
+// Fits a name to a pattern from the left; "*" and {style} take as little as they can.
+// Ends that did not fit are noted, so that the time is bounded by the product of the
+// lengths.
+class Match {
+ public:
+  Match(std::string_view name, std::string_view pattern)
+      : name_(name), pattern_(pattern), failed_((name.size() + 1) * (pattern.size() + 1), false) {}
+
+  bool fits() { return fits(0, 0); }
+  std::string_view style() const { return style_; }  // empty: the pattern has no {style}
+
+ private:
+  // The rest of the name from n, the rest of the pattern from p.
+  bool fits(std::size_t n, std::size_t p) {
+    const std::size_t place = n * (pattern_.size() + 1) + p;
+    if (failed_[place]) return false;
+    const bool found = try_fit(n, p);
+    failed_[place] = !found;
+    return found;
+  }
+
+  bool try_fit(std::size_t n, std::size_t p) {
+    if (p == pattern_.size()) return n == name_.size();
+    if (pattern_[p] == '*') return fits(n, p + 1) || (n < name_.size() && fits(n + 1, p));
+    if (pattern_.substr(p, style_mark.size()) == style_mark) return fits_style(n, p);
+    return n < name_.size() && (pattern_[p] == '?' || pattern_[p] == name_[n]) &&
+           fits(n + 1, p + 1);
+  }
+
+  bool fits_style(std::size_t n, std::size_t p) {
+    for (std::size_t end = n + 1; end <= name_.size(); ++end) {
+      if (!fits(end, p + style_mark.size())) continue;
+      style_ = name_.substr(n, end - n);
       return true;
     }
     return false;
   }
-  if (pattern[0] == '*') {
-    for (std::size_t size = 0; size <= name.size(); ++size) {
-      if (fits(name.substr(size), pattern.substr(1), style)) return true;
-    }
-    return false;
-  }
-  return !name.empty() && (pattern[0] == '?' || pattern[0] == name[0]) &&
-         fits(name.substr(1), pattern.substr(1), style);
-}
+
+  std::string_view name_, pattern_, style_;
+  std::vector<bool> failed_;
+};
 
 // Files of the folder that fit, with their styles.
 std::vector<motion::TakeSource> find_takes(const fs::path& folder, const std::string& pattern) {
@@ -73,16 +93,17 @@ void read_takes(const TomlTable& root, const fs::path& folder, const std::string
   }
   recipe.takes = find_takes(folder, pattern);
   if (recipe.takes.empty()) {
-    root.error("files", "no file in " + folder.string() + " fits \"" + pattern + "\"");
+    root.error(root.has("files") ? "files" : "folder",
+               "no file in " + folder.string() + " fits \"" + pattern + "\"");
   }
 }
 
 }  // namespace
 
 std::optional<std::string> style_of(const std::string& file_name, const std::string& pattern) {
-  std::string style;
-  if (!fits(file_name, pattern, &style)) return std::nullopt;
-  return style.empty() ? fs::path(file_name).stem().string() : style;
+  Match match(file_name, pattern);
+  if (!match.fits()) return std::nullopt;
+  return match.style().empty() ? fs::path(file_name).stem().string() : std::string(match.style());
 }
 
 Recipe load_recipe(const std::string& file, const std::string& folder) {

@@ -93,6 +93,9 @@ class TomlTable {
   const TomlValue* ask(std::string_view key) const;
   // The value if it has this kind; else a problem that names `wanted`.
   const TomlValue* ask(std::string_view key, TomlValue::Kind kind, const char* wanted) const;
+  // Elements of an array that `take` accepts (it gives an optional); the others are problems.
+  template <class Element, class Take>
+  std::vector<Element> list(std::string_view key, const char* wanted, Take take) const;
   TomlReader* reader_;
   const TomlValue* value_;
 };

@@ -123,46 +123,38 @@ std::optional<TomlTable> TomlTable::table(std::string_view key) const {
   return value ? std::optional(TomlTable(*reader_, *value)) : std::nullopt;
 }
 
-std::vector<TomlText> TomlTable::texts(std::string_view key) const {
-  std::vector<TomlText> texts;
-  const TomlValue* list = ask(key, Kind::array, "a list of texts");
-  if (!list) return texts;
-  for (const TomlValue& element : list->elements) {
-    if (element.kind == Kind::text) {
-      texts.push_back({element.text, element.place});
+template <class Element, class Take>
+std::vector<Element> TomlTable::list(std::string_view key, const char* wanted, Take take) const {
+  std::vector<Element> elements;
+  const TomlValue* found = ask(key, Kind::array, wanted);
+  if (!found) return elements;
+  for (const TomlValue& element : found->elements) {
+    if (std::optional<Element> one = take(element)) {
+      elements.push_back(std::move(*one));
     } else {
-      reader_->add(element.place, wrong_kind(key, "a list of texts", element.kind) + " here");
+      reader_->add(element.place, wrong_kind(key, wanted, element.kind) + " here");
     }
   }
-  return texts;
+  return elements;
+}
+
+std::vector<TomlText> TomlTable::texts(std::string_view key) const {
+  return list<TomlText>(key, "a list of texts", [](const TomlValue& element) {
+    return element.kind == Kind::text ? std::optional(TomlText{element.text, element.place})
+                                      : std::nullopt;
+  });
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key) const {
-  std::vector<double> numbers;
-  const TomlValue* list = ask(key, Kind::array, "a list of numbers");
-  if (!list) return numbers;
-  for (const TomlValue& element : list->elements) {
-    if (is_number(element)) {
-      numbers.push_back(element.number);
-    } else {
-      reader_->add(element.place, wrong_kind(key, "a list of numbers", element.kind) + " here");
-    }
-  }
-  return numbers;
+  return list<double>(key, "a list of numbers", [](const TomlValue& element) {
+    return is_number(element) ? std::optional(element.number) : std::nullopt;
+  });
 }
 
 std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
-  std::vector<TomlTable> tables;
-  const TomlValue* list = ask(key, Kind::array, "a list of tables");
-  if (!list) return tables;
-  for (const TomlValue& element : list->elements) {
-    if (element.kind == Kind::table) {
-      tables.push_back(TomlTable(*reader_, element));
-    } else {
-      reader_->add(element.place, wrong_kind(key, "a list of tables", element.kind) + " here");
-    }
-  }
-  return tables;
+  return list<TomlTable>(key, "a list of tables", [this](const TomlValue& element) {
+    return element.kind == Kind::table ? std::optional(TomlTable(*reader_, element)) : std::nullopt;
+  });
 }
 
 void TomlTable::require(std::string_view key) const {

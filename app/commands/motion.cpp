@@ -2,9 +2,9 @@
 #include <charconv>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "app/print.h"
 #include "motion/body_mapping.h"
 #include "motion/bvh.h"
 #include "motion/files.h"
@@ -12,19 +12,6 @@
 
 namespace promenade::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-// One document on stdout. Names that are not UTF-8 must not end the program.
-void print(const Json& document) {
-  const std::string text =
-      document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
-  std::fwrite(text.data(), 1, text.size(), stdout);
-}
-
-void print_warnings(const std::vector<Problem>& warnings) {
-  for (const Problem& warning : warnings) std::fprintf(stderr, "%s\n", to_text(warning).c_str());
-}
 
 const std::string& joint_name(const motion::Clip& clip, int joint) {
   return clip.skeleton.joints[static_cast<std::size_t>(joint)].name;
@@ -128,7 +115,7 @@ void print_plainly(const Json& info) {
 void show_info(const std::vector<std::string>& files, bool json) {
   Json list = Json::array();
   for (const motion::Clip& clip : load_all(files)) list.push_back(info_json(clip));
-  if (json) return print(list);
+  if (json) return print_json(list);
   for (const Json& info : list) {
     print_plainly(info);
     for (const Json& warning : info["warnings"]) {
@@ -175,13 +162,13 @@ void show_positions(const std::string& file, const std::vector<std::string>& wor
   result["frames"] = Json::array();
   for (const int frame : frame_list(clip, words))
     result["frames"].push_back(frame_json(clip, frame));
-  print_warnings(clip.warnings);
-  print(result);
+  print_problems(clip.warnings);
+  print_json(result);
 }
 
 void convert(const std::string& in, const std::string& out) {
   const motion::Clip clip = motion::load_clip(in);
-  print_warnings(clip.warnings);
+  print_problems(clip.warnings);
   write_file(out, motion::bvh_text(clip));
 }
 

@@ -1,15 +1,14 @@
 // `promenade set`: from captures to a motion set, what is in one, and out again.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "app/commands.h"
+#include "app/print.h"
 #include "motion/bvh.h"
 #include "motion/cycle_clip.h"
 #include "motion/files.h"
@@ -19,14 +18,6 @@
 
 namespace promenade::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
-
-void print(const Json& document) {
-  print(document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n");
-}
 
 std::string table_row(const motion::MotionSet& set, const motion::CycleReport& report) {
   if (report.cycle.empty()) return fmt::format("refused: {}: {}\n", report.file, report.refusal);
@@ -72,24 +63,6 @@ Json report_json(const motion::BuiltSet& built) {
   return list;
 }
 
-// Takes can be long: a terminal is told which one is read.
-class Progress {
- public:
-  explicit Progress(std::size_t total) : total_(total), shown_(::isatty(STDERR_FILENO) == 1) {}
-  void operator()(const motion::TakeSource& take) {
-    ++done_;
-    if (shown_)
-      std::fprintf(stderr, "\r\033[Kreading %zu of %zu: %s", done_, total_, take.label.c_str());
-  }
-  void end() const {
-    if (shown_) std::fputs("\r\033[K", stderr);
-  }
-
- private:
-  std::size_t total_, done_ = 0;
-  bool shown_;
-};
-
 struct BuildArguments {
   std::string recipe, out, folder;
   bool json = false;
@@ -97,17 +70,15 @@ struct BuildArguments {
 
 void build(const BuildArguments& given) {
   const study::Recipe recipe = study::load_recipe(given.recipe, given.folder);
-  const auto progress = std::make_shared<Progress>(recipe.takes.size());
-  const motion::BuiltSet built =
-      motion::build_set(recipe.takes, recipe.options,
-                        [progress](const motion::TakeSource& take) { (*progress)(take); });
-  progress->end();
-  for (const Problem& warning : built.warnings) {
-    std::fprintf(stderr, "%s\n", to_text(warning).c_str());
-  }
+  const int count = static_cast<int>(recipe.takes.size());
+  const motion::BuiltSet built = motion::build_set(
+      recipe.takes, recipe.options, [count, done = 0](const motion::TakeSource&) mutable {
+        show_progress("reading take", ++done, count);
+      });
+  print_problems(built.warnings);
   write_file(given.out, motion::to_bytes(built.set));
-  if (given.json) return print(report_json(built));
-  print(table(built));
+  if (given.json) return print_json(report_json(built));
+  print_text(table(built));
 }
 
 Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -147,22 +118,22 @@ Json cycle_json(const motion::Cycle& cycle) {
 void show_info(const std::string& name, bool json) {
   const motion::MotionSet set = study::load_motion_set(name, "");
   if (!json) {
-    print(fmt::format("{}: {} cycles, {} joints\n{}\n", set.name, set.size(), set.skeleton.size(),
-                      set.credit));
+    print_text(fmt::format("{}: {} cycles, {} joints\n{}\n", set.name, set.size(),
+                           set.skeleton.size(), set.credit));
     for (const motion::Cycle& cycle : set.cycles) {
-      print(fmt::format("{:20} {:36} {:7.3f} s\n", cycle.name, cycle.source, cycle.seconds));
+      print_text(fmt::format("{:20} {:36} {:7.3f} s\n", cycle.name, cycle.source, cycle.seconds));
     }
     return;
   }
   Json cycles = Json::array();
   for (const motion::Cycle& cycle : set.cycles) cycles.push_back(cycle_json(cycle));
-  print(Json{{"name", set.name},
-             {"credit", set.credit},
-             {"cycles", cycles},
-             {"skeleton", skeleton_json(set)},
-             {"phases", set.phases},
-             {"key_phases", set.key_phases},
-             {"unit", "m"}});
+  print_json({{"name", set.name},
+              {"credit", set.credit},
+              {"cycles", cycles},
+              {"skeleton", skeleton_json(set)},
+              {"phases", set.phases},
+              {"key_phases", set.key_phases},
+              {"unit", "m"}});
 }
 
 // Names come from a file: they must not lead out of the folder.

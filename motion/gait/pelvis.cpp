@@ -102,7 +102,7 @@ PelvisHeight smoothed_height(const GaitStyle& style) {
     const double wanted = wanted_height(style, stride) / samples;
     height[0] += wanted;
     for (int h = 1; h <= height_harmonics; ++h) {
-      const auto k = static_cast<std::size_t>(2 * h);
+      const std::size_t k = 2 * static_cast<std::size_t>(h);
       height[k - 1] += 2 * wanted * std::cos(2 * pi * h * stride);
       height[k] += 2 * wanted * std::sin(2 * pi * h * stride);
     }
@@ -123,7 +123,7 @@ PelvisHeight pelvis_height(const GaitStyle& style) {
 double height_at(const PelvisHeight& height, double stride) {
   double sum = height[0];
   for (int h = 1; h <= height_harmonics; ++h) {
-    const auto k = static_cast<std::size_t>(2 * h);
+    const std::size_t k = 2 * static_cast<std::size_t>(h);
     sum +=
         height[k - 1] * std::cos(2 * pi * h * stride) + height[k] * std::sin(2 * pi * h * stride);
   }

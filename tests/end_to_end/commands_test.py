@@ -1,13 +1,10 @@
 #!/usr/bin/env python3
 """The commands as their users call them: exit codes, places of errors, nothing left behind."""
 import json
-import os
-import pathlib
-import subprocess
-import tempfile
 import unittest
 
-PROMENADE = os.environ["PROMENADE"]
+from program import ProgramTest
+
 ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", "simulate",
        "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
        "model", "graph", "stats"]
@@ -15,23 +12,7 @@ LATER = ["roster", "pack", "prereg", "amend", "withdraw", "monitor", "export", "
          "power", "doctor", "graph"]
 
 
-class Commands(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.temporary.name)
-
-    def tearDown(self):
-        self.temporary.cleanup()
-
-    def call(self, *arguments):
-        environment = {k: v for k, v in os.environ.items() if "DISPLAY" not in k}
-        return subprocess.run([PROMENADE, *arguments], cwd=self.folder, text=True,
-                              capture_output=True, timeout=120, env=environment)
-
-    def write(self, name, text):
-        (self.folder / name).write_text(text)
-        return name
-
+class Commands(ProgramTest):
     def left_behind(self):
         return sorted(p.name for p in self.folder.iterdir())
 

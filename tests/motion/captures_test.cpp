@@ -1,0 +1,112 @@
+// Real captures, where they are at hand: ../shared/data beside the tree, or the folder
+// that $PROMENADE_DATA names. Nothing of them is part of Promenade.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "motion/load_clip.h"
+#include "motion/set_builder.h"
+
+namespace promenade::motion {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path data_folder() {
+  const char* named = std::getenv("PROMENADE_DATA");
+  return named && *named ? fs::path(named) : fs::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+}
+
+// dataset-1_walk_happy_001.bvh and so on: fifteen styles, two takes each.
+std::vector<TakeSource> walks() {
+  const std::string before = "dataset-1_walk_";
+  std::vector<TakeSource> takes;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(data_folder() / "bandai-namco-walk", error)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".bvh" || name.rfind(before, 0) != 0) continue;
+    const std::string style =
+        name.substr(before.size(), name.find('_', before.size()) - before.size());
+    takes.push_back({entry.path().string(), name, style});
+  }
+  return takes;
+}
+
+class Captures : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (walks().empty()) {
+      GTEST_SKIP() << "There are no captures in " << data_folder()
+                   << "; name their folder in PROMENADE_DATA to run this test.";
+    }
+  }
+  // Built once: it takes a second or two.
+  static const BuiltSet& built() {
+    static const BuiltSet set = build_set(walks(), {});
+    return set;
+  }
+  static std::vector<CycleReport> cut() {
+    std::vector<CycleReport> reports;
+    for (const CycleReport& report : built().reports) {
+      if (!report.cycle.empty()) reports.push_back(report);
+    }
+    return reports;
+  }
+};
+
+TEST_F(Captures, GiveACycleFromNearlyEveryTake) {
+  EXPECT_GE(15 * built().set.size(), 14 * static_cast<int>(walks().size()));
+  for (const CycleReport& report : built().reports) EXPECT_EQ(report.refusal, "") << report.file;
+}
+
+TEST_F(Captures, GiveCyclesNamedByTheirStyles) {
+  std::set<std::string> names;
+  for (const Cycle& cycle : built().set.cycles) {
+    EXPECT_TRUE(names.insert(cycle.name).second) << cycle.name;
+    EXPECT_EQ(cycle.name.rfind(cycle.style + "_", 0), 0U) << cycle.name;
+    EXPECT_NE(cycle.source.find("_" + cycle.style + "_"), std::string::npos) << cycle.source;
+  }
+}
+
+TEST_F(Captures, GiveFeetThatStand) {
+  for (const CycleReport& report : cut()) {
+    EXPECT_LT(std::max(report.slide_left_m, report.slide_right_m), 0.01) << report.cycle;
+  }
+}
+
+TEST_F(Captures, CloseNoWorseThanTheyMoveElsewhere) {
+  for (const CycleReport& report : cut()) {
+    EXPECT_LT(report.seam.position_m, 1e-4) << report.cycle;
+    EXPECT_LT(report.seam.gap_m, report.seam.inside_m) << report.cycle;
+  }
+}
+
+TEST_F(Captures, GiveStepsInTurnAtTheSpeedOfAWalk) {
+  for (const Cycle& cycle : built().set.cycles) {
+    ASSERT_EQ(cycle.keytimes.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(cycle.keytimes.begin(), cycle.keytimes.end())) << cycle.name;
+    EXPECT_GT(cycle.seconds, 0.6) << cycle.name;
+    EXPECT_LT(cycle.seconds, 2.5) << cycle.name;
+    EXPECT_GT(cycle.velocity.y(), 0.3) << cycle.name;
+    EXPECT_LT(cycle.velocity.y(), 2.5) << cycle.name;
+  }
+}
+
+TEST_F(Captures, StayWhereTheyWereRecorded) {
+  for (const CycleReport& report : cut()) {
+    const Cycle& cycle =
+        built().set.cycles[static_cast<std::size_t>(find_cycle(built().set, report.cycle))];
+    EXPECT_LT(report.from_capture_m, 0.08 + 2 * cycle.loop_error_m) << report.cycle;
+  }
+}
+
+TEST_F(Captures, OfOtherThingsThanWalkingAreRefused) {
+  const fs::path jumps = data_folder() / "cmu" / "01_01.bvh";
+  if (!fs::exists(jumps)) GTEST_SKIP() << "There is no capture " << jumps << ".";
+  EXPECT_THROW(build_set({{jumps.string(), "01_01.bvh", "jumps"}}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace promenade::motion

@@ -1,0 +1,53 @@
+#include "motion/foot_contacts.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/walker.h"
+
+namespace promenade::motion {
+namespace {
+
+// Four cycles of a generated walker, of which it is known when its feet are down.
+Take recorded(const MotionSet& set, const Cycle& cycle) {
+  FigureOptions metres;
+  metres.unit_m = 1;
+  const Clip clip = walker_clip(set, cycle, 4);
+  return make_take(clip, find_figure(clip, metres));
+}
+
+// Seconds between a time and the nearest of the landings, or leavings, of a foot.
+double gap(const Take& take, const std::vector<Stance>& foot, double Stance::*moment,
+           double seconds) {
+  double least = INFINITY;
+  for (const Stance& stance : foot) {
+    least = std::min(least, std::abs(stance.*moment * take.frame_time - seconds));
+  }
+  return least;
+}
+
+TEST(FootContacts, BeginWhenTheHeelStrikesAndEndWhenTheToeLeaves) {
+  const MotionSet set = builtin_set("A").value();
+  for (const Cycle& cycle : set.cycles) {
+    const Take take = recorded(set, cycle);
+    const FootContacts found = find_contacts(take);
+    const std::vector<double>& keys = cycle.keytimes;
+    const double later = cycle.seconds;
+    // One frame is 17 ms, and the heel is known to a centimetre.
+    EXPECT_LT(gap(take, found.right, &Stance::on, later + keys[1]), 0.02) << cycle.name;
+    EXPECT_LT(gap(take, found.left, &Stance::on, later + keys[3]), 0.02) << cycle.name;
+    EXPECT_LT(gap(take, found.right, &Stance::off, later + keys[4]), 0.02) << cycle.name;
+    EXPECT_LT(gap(take, found.left, &Stance::off, later + keys[2]), 0.02) << cycle.name;
+  }
+}
+
+TEST(FootContacts, ComeOnceACycleForEachFoot) {
+  const MotionSet set = builtin_set("A").value();
+  for (const Cycle& cycle : set.cycles) {
+    const FootContacts found = find_contacts(recorded(set, cycle));
+    EXPECT_NEAR(static_cast<double>(found.left.size()), 4.5, 0.5) << cycle.name;
+    EXPECT_NEAR(static_cast<double>(found.right.size()), 4.5, 0.5) << cycle.name;
+  }
+}
+
+}  // namespace
+}  // namespace promenade::motion
