@@ -19,7 +19,7 @@ struct Column {
 };
 
 // Restricted to the limit. A failure counts with the time at which it ended,
-// which is the limit for a timeout (method.md 8).
+// which is the limit for a timeout (docs/methods.md, 6).
 std::optional<double> time_of(const LoggedTrial& trial) {
   if (!trial.ended_us) return std::nullopt;
   const double seconds = static_cast<double>(*trial.ended_us - trial.started_us) / 1e6;

@@ -1,4 +1,4 @@
-// Every number of a report as JSON (contract.md 4). Lengths in metres, times in
+// Every number of a report as JSON (docs/commands.md). Lengths in metres, times in
 // seconds; what is not defined is null.
 #pragma once
 

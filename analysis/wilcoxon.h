@@ -1,5 +1,5 @@
 // Wilcoxon's signed-rank test for paired data (Wilcoxon 1945; Pratt 1959 for
-// zeros), method.md 8. Ranks are midranks of |d|; W+ is the sum of the ranks of
+// zeros), docs/methods.md, 6. Ranks are midranks of |d|; W+ is the sum of the ranks of
 // positive differences. The exact p belongs to the conditional distribution of
 // W+ given the ranks: every assignment of signs to the non-zero ranks is
 // equally likely. So it holds with ties.

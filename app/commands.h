@@ -1,4 +1,4 @@
-// The commands of contract.md 3. Each file in app/commands/ declares one: it adds
+// The commands of docs/commands.md. Each file in app/commands/ declares one: it adds
 // itself to the parser and does its work in the callback. Errors are thrown and
 // become messages and exit codes in main, once.
 #pragma once

@@ -1,5 +1,5 @@
 // How commands speak: one JSON document on stdout, words for people on stderr
-// (contract.md, 2).
+// (docs/commands.md).
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The body of 20 joints that D, the features and the figure use (method.md, 1;
+// The body of 20 joints that D, the features and the figure use (docs/methods.md, 1;
 // ours: [O] says 20 joints and lists none). A capture's further joints are kept
 // for playback and export only.
 #pragma once

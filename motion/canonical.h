@@ -1,4 +1,4 @@
-// From poses over time to the canonical form of a cycle (method.md 1).
+// From poses over time to the canonical form of a cycle (docs/methods.md, 1).
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The distance D of two cycles ([O] Eq. 8; method.md 5): the mean over 11 times
+// The distance D of two cycles ([O] Eq. 8; docs/methods.md, 2): the mean over 11 times
 // and 20 joints of the distance of the joints, in metres. Each cycle runs over
 // its own duration; the mean velocity of the pelvis is taken out and its mean
 // horizontal position is the origin, while its sway stays.

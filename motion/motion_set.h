@@ -1,5 +1,5 @@
 // A motion set: N looping cycles on one skeleton, in the canonical form of
-// method.md 1. Start here to understand motion/.
+// docs/methods.md, 1. Start here to understand motion/.
 //
 // Every cycle is sampled at F common phases; between keytimes (right foot off,
 // right foot on, left foot off, left foot on, right foot off) time runs

@@ -1,5 +1,5 @@
 // A motion set and what follows from it: the average cycle and the motion
-// offsets, in which a blend is linear (method.md 1; the idea is [N] 5.5).
+// offsets, in which a blend is linear (docs/methods.md, 1; the idea is [N] 5.5).
 #pragma once
 
 #include "motion/motion_set.h"

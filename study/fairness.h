@@ -1,5 +1,5 @@
 // How far targets are and what can be reached: what makes a match task fair
-// (method.md, 5). A threshold belongs to a motion set.
+// (docs/methods.md, 3). A threshold belongs to a motion set.
 #pragma once
 
 #include "study/study.h"

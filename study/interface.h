@@ -34,7 +34,7 @@ struct ParameterSpec {
   std::string name;
   ParameterValue standard;           // its type is the type that is allowed
   std::vector<std::string> choices;  // for strings; empty: any
-  std::string sentence;              // with its unit; goes to docs/interfaces.md
+  std::string sentence;              // with its unit; for the documentation
 };
 
 struct InterfaceContext {
@@ -60,7 +60,7 @@ class InterfacePanel;
 
 struct InterfaceType {
   std::string name;      // as study files say it: "labels"
-  std::string sentence;  // what it is, for docs/interfaces.md
+  std::string sentence;  // what it is, for the documentation
   std::vector<ParameterSpec> parameters;
   std::vector<std::string> texts;  // keys of configs/languages/*.toml that it shows
   std::function<std::unique_ptr<InterfaceState>(const InterfaceContext&)> start;

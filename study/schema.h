@@ -1,4 +1,4 @@
-// The tables of a study's database (contract.md, 6) and the sentence that
+// The tables of a study's database (docs/commands.md) and the sentence that
 // describes each column.
 #pragma once
 
