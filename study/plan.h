@@ -1,4 +1,13 @@
 // Who gets what in which order.
+//
+// A session is a row of blocks, one for each interface; the order of the interfaces
+// is counterbalanced over sequences by the study's design. Within a block come the
+// practice trials of all tasks, then the tasks in the order of the file, so that
+// every interface meets the same tasks. The targets of a task are shuffled anew for
+// each block, by (study seed, sequence, "order"); order = "fixed" keeps everything
+// as in the file. A block opens with its instructions, every later trial with a
+// short introduction, so that no clock starts unasked; ratings follow each trial
+// that counts.
 #pragma once
 
 #include "study/study.h"
@@ -33,6 +42,9 @@ struct Plan {
 // sequence give the same plan on any machine.
 Plan make_plan(const Study& study, int sequence);
 
+std::string_view to_text(PageKind kind);
+
+const Task& task_of(const Study& study, const PlannedTrial& trial);
 const Target& target_of(const Study& study, const PlannedTrial& trial);
 
 // Orders of the conditions 0..n-1: a Williams design (2n rows for odd n), whose

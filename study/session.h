@@ -58,7 +58,12 @@ struct Input {
       action;
 };
 
-// What is logged: one for each row of the database, in order.
+// What is logged: one for each row of the database, in order. Kinds of events:
+// "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
+// begins from the common start), "continue", "continue_refused", "decline", "press",
+// "done", "start_over", "answer", "camera", "late_frame", "stop"; and what was done to
+// a control under the interface's own word, with {"applied": true or false} in its
+// detail: by this a replay knows them.
 struct TrialStarted {
   int trial = 0;  // index into Plan::trials
   std::int64_t t_us = 0;
@@ -109,9 +114,10 @@ struct TrialState {
   Eigen::VectorXd weights;  // shown now
   motion::Cycle cycle;      // of these weights
   std::optional<motion::Cycle> target;
-  std::optional<double> d;                     // of what is shown
-  std::optional<std::int64_t> below_since_us;  // D is below the threshold, unchanged since
-  TrialEnded summary;                          // filled as it goes
+  std::optional<motion::DistancePoints> target_points;  // of the target, for D
+  std::optional<double> d;                              // of what is shown
+  std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
+  TrialEnded summary;                                   // filled as it goes
 };
 
 class Session {
@@ -135,7 +141,7 @@ class Session {
   bool can_continue() const;
 
  private:
-  struct Steps;  // what each action does: session.cpp
+  struct Steps;  // what each action does: session_steps.h
   const StudyBundle* bundle_;
   const InterfaceRegistry* registry_;
   Plan plan_;
@@ -143,6 +149,9 @@ class Session {
   Outcome outcome_ = Outcome::running;
   std::optional<TrialState> trial_;
   std::vector<std::optional<double>> answers_;
+  std::vector<std::int64_t> answered_us_;  // when each was given
+  bool begun_ = false;                     // the first page has been logged
+  bool declined_ = false;                  // the page that follows Decline is shown
 };
 
 }  // namespace promenade::study

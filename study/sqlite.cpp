@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <filesystem>
 #include <utility>
 
 namespace promenade::study {
@@ -23,10 +24,36 @@ int open_flags(Database::Mode mode) {
   return SQLITE_OPEN_READONLY;
 }
 
+// Reading a file in WAL mode leaves -wal and -shm files beside it, and fails where
+// none can be made, unless SQLite is told that nobody writes: true without a -wal.
+std::string resting_uri(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error) ||
+      std::filesystem::exists(file + "-wal", error)) {
+    return "";
+  }
+  std::string uri = "file:";
+  for (const char letter : std::filesystem::absolute(file).string()) {
+    if (letter == '%') {
+      uri += "%25";
+    } else if (letter == '?') {
+      uri += "%3f";
+    } else if (letter == '#') {
+      uri += "%23";
+    } else {
+      uri += letter;
+    }
+  }
+  return uri + "?immutable=1";
+}
+
 }  // namespace
 
 Database::Database(const std::string& file, Mode mode) : file_(file) {
-  const int code = sqlite3_open_v2(file.c_str(), &handle_, open_flags(mode), nullptr);
+  const std::string uri = mode == Mode::read_only ? resting_uri(file) : "";
+  const int code = uri.empty() ? sqlite3_open_v2(file.c_str(), &handle_, open_flags(mode), nullptr)
+                               : sqlite3_open_v2(uri.c_str(), &handle_,
+                                                 open_flags(mode) | SQLITE_OPEN_URI, nullptr);
   if (code != SQLITE_OK) {
     const std::string message = handle_ ? sqlite3_errmsg(handle_) : sqlite3_errstr(code);
     sqlite3_close_v2(handle_);

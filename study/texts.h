@@ -23,7 +23,10 @@ class Texts {
   // With {name} replaced by values.
   std::string with(std::string_view key,
                    const std::vector<std::pair<std::string, std::string>>& values) const;
-  std::vector<std::string> keys() const;
+  // The name of a style as people read it: "style.NAME", or the name itself with
+  // spaces for underscores.
+  std::string style(std::string_view name) const;
+  std::vector<std::string> keys() const;  // sorted
 
  private:
   mutable std::map<std::string, std::string, std::less<>> texts_;

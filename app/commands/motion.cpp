@@ -1,12 +1,238 @@
+// `promenade motion`: what captures hold.
+#include <charconv>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "motion/body_mapping.h"
+#include "motion/bvh.h"
+#include "motion/files.h"
+#include "motion/load_clip.h"
 
 namespace promenade::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// One document on stdout. Names that are not UTF-8 must not end the program.
+void print(const Json& document) {
+  const std::string text =
+      document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
+  std::fwrite(text.data(), 1, text.size(), stdout);
+}
+
+void print_warnings(const std::vector<Problem>& warnings) {
+  for (const Problem& warning : warnings) std::fprintf(stderr, "%s\n", to_text(warning).c_str());
+}
+
+const std::string& joint_name(const motion::Clip& clip, int joint) {
+  return clip.skeleton.joints[static_cast<std::size_t>(joint)].name;
+}
+
+Json joints_json(const motion::Clip& clip) {
+  Json joints = Json::array();
+  for (std::size_t j = 0; j < clip.skeleton.joints.size(); ++j) {
+    const motion::Joint& joint = clip.skeleton.joints[j];
+    Json channels = Json::array();
+    for (const motion::Channel channel : clip.channels[j].channels) {
+      channels.push_back(motion::channel_name(channel));
+    }
+    const Json parent = joint.parent < 0 ? Json() : Json(joint_name(clip, joint.parent));
+    joints.push_back({{"name", joint.name}, {"parent", parent}, {"channels", channels}});
+  }
+  return joints;
+}
+
+// {"UpperLeg_L": "UpperLeg_R", ...}: every left joint of the body and its other.
+Json sides_json(const motion::Clip& clip, const motion::BodyMap& body) {
+  Json sides = Json::object();
+  for (const motion::BodyJoint part :
+       {motion::left_clavicle, motion::left_shoulder, motion::left_elbow, motion::left_wrist,
+        motion::left_hip, motion::left_knee, motion::left_ankle, motion::left_toe}) {
+    if (body.borrowed[part] || body.borrowed[part + 4u]) continue;
+    sides[joint_name(clip, body.joint[part])] = joint_name(clip, body.joint[part + 4u]);
+  }
+  return sides;
+}
+
+Json body_json(const motion::Clip& clip, const motion::BodyMap& map) {
+  Json body = Json::object();
+  for (std::size_t b = 0; b < motion::body_joint_count; ++b) {
+    const auto name = motion::body_joint_name(static_cast<motion::BodyJoint>(b));
+    body[std::string(name)] = map.borrowed[b] ? Json() : Json(joint_name(clip, map.joint[b]));
+  }
+  return body;
+}
+
+void add_figure(const motion::Clip& clip, Json& info, std::vector<Problem>& warnings) {
+  try {
+    const motion::Figure figure = motion::find_figure(clip);
+    info["unit_m"] = figure.unit_m;
+    info["up"] = figure.z_up ? "z" : "y";
+    info["hips"] = joint_name(clip, figure.body.joint[motion::pelvis]);
+    info["left_right"] = sides_json(clip, figure.body);
+    info["body"] = body_json(clip, figure.body);
+    info["heading"] = {figure.heading.x(), figure.heading.y()};
+    info["travel_m"] = figure.travel_m;
+    warnings.insert(warnings.end(), figure.notes.begin(), figure.notes.end());
+  } catch (const InputError& error) {
+    // A file without a walking body is still a file whose joints can be told.
+    for (const char* key : {"unit_m", "up", "hips", "left_right", "body", "heading", "travel_m"}) {
+      info[key] = nullptr;
+    }
+    for (Problem problem : error.problems()) {
+      problem.severity = Severity::warning;
+      warnings.push_back(std::move(problem));
+    }
+  }
+}
+
+Json info_json(const motion::Clip& clip) {
+  Json info = {{"file", clip.file},
+               {"format", clip.format},
+               {"joints", joints_json(clip)},
+               {"frames", clip.frames()},
+               {"frame_time", clip.frame_time},
+               {"seconds", clip.frames() * clip.frame_time}};
+  std::vector<Problem> warnings = clip.warnings;
+  add_figure(clip, info, warnings);
+  info["warnings"] = Json::array();
+  for (const Problem& warning : warnings) info["warnings"].push_back(to_text(warning));
+  return info;
+}
+
+// All files are read before anything is said, so that all problems come at once.
+std::vector<motion::Clip> load_all(const std::vector<std::string>& files) {
+  std::vector<motion::Clip> clips;
+  std::vector<Problem> problems;
+  for (const std::string& file : files) {
+    try {
+      clips.push_back(motion::load_clip(file));
+    } catch (const InputError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  if (!problems.empty()) throw InputError(problems);
+  return clips;
+}
+
+void print_plainly(const Json& info) {
+  const std::string up = info["up"].is_null() ? "?" : info["up"].get<std::string>();
+  const std::string hips = info["hips"].is_null() ? "none" : info["hips"].get<std::string>();
+  std::printf("%s: %zu joints, %d frames, %s s, %s up, hips %s\n",
+              info["file"].get<std::string>().c_str(), info["joints"].size(),
+              info["frames"].get<int>(), info["seconds"].dump().c_str(), up.c_str(), hips.c_str());
+}
+
+void show_info(const std::vector<std::string>& files, bool json) {
+  Json list = Json::array();
+  for (const motion::Clip& clip : load_all(files)) list.push_back(info_json(clip));
+  if (json) return print(list);
+  for (const Json& info : list) {
+    print_plainly(info);
+    for (const Json& warning : info["warnings"]) {
+      std::fprintf(stderr, "%s\n", warning.get<std::string>().c_str());
+    }
+  }
+}
+
+// "0,10,20" as numbers of frames of the clip.
+std::vector<int> frame_list(const motion::Clip& clip, const std::vector<std::string>& words) {
+  std::vector<int> frames;
+  std::vector<Problem> problems;
+  for (const std::string& word : words) {
+    int frame = 0;
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, frame);
+    if (error != std::errc() || stop != end || frame < 0 || frame >= clip.frames()) {
+      problems.push_back(
+          {clip.file, 0, 0,
+           "has no frame '" + word + "'; its frames are 0 to " + std::to_string(clip.frames() - 1),
+           Severity::error});
+    } else {
+      frames.push_back(frame);
+    }
+  }
+  if (!problems.empty()) throw InputError(problems);
+  return frames;
+}
+
+Json frame_json(const motion::Clip& clip, int frame) {
+  const motion::WorldPose world = motion::forward_kinematics(clip, frame);
+  Json positions = Json::array();
+  for (int j = 0; j < clip.skeleton.size(); ++j) {
+    const Eigen::Vector3d at = world.positions.col(j);
+    positions.push_back({at.x(), at.y(), at.z()});
+  }
+  return {{"frame", frame}, {"positions", positions}};
+}
+
+void show_positions(const std::string& file, const std::vector<std::string>& words) {
+  const motion::Clip clip = motion::load_clip(file);
+  Json result = {{"file", file}, {"unit", "file"}, {"joints", Json::array()}};
+  for (const motion::Joint& joint : clip.skeleton.joints) result["joints"].push_back(joint.name);
+  result["frames"] = Json::array();
+  for (const int frame : frame_list(clip, words))
+    result["frames"].push_back(frame_json(clip, frame));
+  print_warnings(clip.warnings);
+  print(result);
+}
+
+void convert(const std::string& in, const std::string& out) {
+  const motion::Clip clip = motion::load_clip(in);
+  print_warnings(clip.warnings);
+  write_file(out, motion::bvh_text(clip));
+}
+
+void add_info(CLI::App& motion_command) {
+  struct Arguments {
+    std::vector<std::string> files;
+    bool json = false;
+  };
+  auto* command = motion_command.add_subcommand("info", "What capture files hold");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("files", given->files, "Captures (.bvh)")->required();
+  command->add_flag("--json", given->json, "One JSON document on stdout");
+  command->callback([given] { show_info(given->files, given->json); });
+}
+
+void add_positions(CLI::App& motion_command) {
+  struct Arguments {
+    std::string file;
+    std::vector<std::string> frames;
+    bool json = false;
+  };
+  auto* command = motion_command.add_subcommand(
+      "positions", "Joint positions by forward kinematics, as JSON, in units and axes of the file");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("file", given->file, "A capture (.bvh)")->required();
+  command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")
+      ->delimiter(',')
+      ->required();
+  command->add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
+  command->callback([given] { show_positions(given->file, given->frames); });
+}
+
+void add_convert(CLI::App& motion_command) {
+  struct Arguments {
+    std::string in, out;
+  };
+  auto* command = motion_command.add_subcommand("convert", "Any readable capture to plain BVH");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("in", given->in, "A capture (.bvh)")->required();
+  command->add_option("out", given->out, "The file to write (.bvh)")->required();
+  command->callback([given] { convert(given->in, given->out); });
+}
+
+}  // namespace
 
 void add_motion_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("motion", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("motion is not in this version of Promenade yet"); });
+  CLI::App* command = program.add_subcommand("motion", "Look into captures and convert them");
+  command->require_subcommand(1);
+  add_info(*command);
+  add_positions(*command);
+  add_convert(*command);
 }
 
 }  // namespace promenade::app

@@ -1,12 +1,23 @@
+#include <cstdio>
+#include <memory>
+
+#include "analysis/vectors.h"
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "motion/files.h"
 
 namespace promenade::app {
 
 void add_stats_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("stats", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("stats is not in this version of Promenade yet"); });
+  CLI::App* command =
+      program.add_subcommand("stats", "runs every case of a vectors file through our statistics");
+  auto file = std::make_shared<std::string>();
+  command->add_option("VECTORS.json", *file, "test vectors: {\"families\": {NAME: [cases]}}")
+      ->required();
+  command->add_flag("--json")->description("print JSON, which is what it does anyway");
+  command->callback([file] {
+    const std::string results = analysis::run_vectors(*file, read_file(*file));
+    std::fwrite(results.data(), 1, results.size(), stdout);
+  });
 }
 
 }  // namespace promenade::app

@@ -1,0 +1,43 @@
+// What the families of a vectors file share. A family is one function from the
+// "input" of a case to the keys of its "expected"; a new one is a file here and
+// a line in the table of vectors.cpp. What is not defined is null; an input that
+// it cannot take is a thrown CaseError.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "analysis/interval.h"
+
+namespace promenade::analysis::families {
+
+using Json = nlohmann::json;
+
+// What is wrong with the input of one case, as a phrase: "input.x is missing".
+class CaseError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+double number(const Json& input, const char* key);
+int whole_number(const Json& input, const char* key);  // 0 or more
+double level(const Json& input, const char* key);      // between 0 and 1, both excluded
+std::vector<double> numbers(const Json& input, const char* key);
+std::vector<std::optional<double>> numbers_or_null(const Json& input, const char* key);
+// Rows of equal length, at least one row and column.
+std::vector<std::vector<double>> matrix(const Json& input, const char* key);
+
+Json to_json(const std::optional<double>& value);
+Json to_json(const Interval& interval);
+Json to_json(const std::optional<Interval>& interval);
+
+Json wilcoxon(const Json& input);
+Json hodges_lehmann(const Json& input);
+Json wilson(const Json& input);
+Json clopper_pearson(const Json& input);
+Json p_adjust(const Json& input);
+
+}  // namespace promenade::analysis::families

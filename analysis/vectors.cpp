@@ -1,0 +1,107 @@
+#include "analysis/vectors.h"
+
+#include <algorithm>
+#include <array>
+
+#include "analysis/families/family.h"
+#include "motion/problem.h"
+
+namespace promenade::analysis {
+namespace {
+
+using families::CaseError;
+using families::Json;
+
+struct Family {
+  std::string_view name;
+  Json (*run)(const Json& input);
+};
+
+constexpr auto table = std::to_array<Family>({
+    {"wilcoxon", families::wilcoxon},
+    {"hodges_lehmann", families::hodges_lehmann},
+    {"wilson", families::wilson},
+    {"clopper_pearson", families::clopper_pearson},
+    {"p_adjust", families::p_adjust},
+});
+
+// Line and column of a byte, both from 1.
+Problem problem_at(const std::string& file, std::string_view text, std::size_t byte,
+                   std::string message) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n') + 1;  // 0 when there is none
+  return {file, static_cast<int>(lines) + 1, static_cast<int>(before.size() - start) + 1,
+          std::move(message), Severity::error};
+}
+
+Json parse(const std::string& file, std::string_view text) {
+  try {
+    return Json::parse(text);
+  } catch (const Json::parse_error& error) {
+    throw InputError({problem_at(file, text, error.byte, "is not JSON here")});
+  } catch (const Json::exception&) {
+    throw InputError(file, "holds a number that is out of range");
+  }
+}
+
+Json error_entry(const std::string& message) { return {{"error", message}}; }
+
+Json run_case(const std::string& family, const Json& one) {
+  const auto found = std::find_if(table.begin(), table.end(),
+                                  [&](const Family& known) { return known.name == family; });
+  if (found == table.end()) return error_entry("the family " + family + " is not known");
+  const auto input = one.find("input");
+  if (input == one.end() || !input->is_object()) return error_entry("the case has no input");
+  try {
+    return found->run(*input);
+  } catch (const CaseError& error) {
+    return error_entry(error.what());
+  }
+}
+
+// Runs the cases of one family into results; what is out of place into problems.
+void run_family(const std::string& file, const std::string& family, const Json& cases,
+                Json& results, std::vector<Problem>& problems) {
+  const auto wrong = [&](std::string message) {
+    problems.push_back({file, 0, 0, std::move(message), Severity::error});
+  };
+  if (!cases.is_array()) return wrong("family " + family + " is not a list of cases");
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Json& one = cases[i];
+    const std::string place = "case " + std::to_string(i) + " of family " + family;
+    const auto id = one.is_object() ? one.find("id") : one.end();
+    if (id == one.end() || !id->is_string()) {
+      wrong(place + " has no id");
+    } else if (results.contains(id->get<std::string>())) {
+      wrong(place + " has the id of an earlier case, " + id->get<std::string>());
+    } else {
+      results[id->get<std::string>()] = run_case(family, one);
+    }
+  }
+}
+
+}  // namespace
+
+std::string run_vectors(const std::string& file, std::string_view text) {
+  const Json vectors = parse(file, text);
+  const auto families = vectors.is_object() ? vectors.find("families") : vectors.end();
+  if (families == vectors.end() || !families->is_object()) {
+    throw InputError(file, "has no object \"families\"; it is not a file of test vectors");
+  }
+  Json results = Json::object();
+  std::vector<Problem> problems;
+  for (const auto& [family, cases] : families->items()) {
+    run_family(file, family, cases, results, problems);
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return Json{{"results", std::move(results)}}.dump(1) + "\n";
+}
+
+std::vector<std::string> known_families() {
+  std::vector<std::string> names;
+  for (const Family& family : table) names.emplace_back(family.name);
+  return names;
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,86 @@
+// [[interface]]: the conditions of a study and the parameters of their types.
+#include <algorithm>
+
+#include "study/did_you_mean.h"
+#include "study/study_parts.h"
+
+namespace promenade::study {
+namespace {
+
+const char* type_word(const ParameterValue& value) {
+  if (std::holds_alternative<bool>(value)) return "true or false";
+  return std::holds_alternative<double>(value) ? "a number" : "a text in quotes";
+}
+
+bool is_choice(const ParameterSpec& spec, const ParameterValue& value) {
+  const std::string* word = std::get_if<std::string>(&value);
+  return !word || spec.choices.empty() ||
+         std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end();
+}
+
+ParameterValue read_parameter(const TomlTable& table, const ParameterSpec& spec) {
+  const std::optional<TomlScalar> value = table.scalar(spec.name);
+  if (!value) return spec.standard;
+  if (value->index() != spec.standard.index()) {
+    table.error(spec.name, "\"" + spec.name + "\" must be " + type_word(spec.standard) +
+                               ", but is " + type_word(*value));
+    return spec.standard;
+  }
+  if (!is_choice(spec, *value)) {
+    const std::string& word = std::get<std::string>(*value);
+    table.error(spec.name, "\"" + spec.name + "\" is \"" + word + "\", but must be one of " +
+                               quoted_list(spec.choices) + did_you_mean(word, spec.choices));
+    return spec.standard;
+  }
+  return *value;
+}
+
+std::vector<std::string> type_names(const InterfaceRegistry& registry) {
+  std::vector<std::string> names;
+  for (const InterfaceType& type : registry.all()) names.push_back(type.name);
+  return names;
+}
+
+// Keys of an interface that is not there are not looked at.
+void accept_all_keys(const TomlTable& table) {
+  for (const std::string& key : table.keys()) table.scalar(key);
+}
+
+InterfaceUse read_interface(const TomlTable& table, const InterfaceRegistry& registry) {
+  InterfaceUse use;
+  use.name = table.required_text("name");
+  use.type = table.text("type").value_or(use.name);
+  const InterfaceType* type = registry.find(use.type);
+  if (!type) {
+    accept_all_keys(table);
+    const std::vector<std::string> names = type_names(registry);
+    const std::string key = table.has("type") ? "type" : "name";
+    if (!use.type.empty()) {
+      table.error(key, "there is no interface \"" + use.type + "\", only " + quoted_list(names) +
+                           did_you_mean(use.type, names));
+    }
+    return use;
+  }
+  for (const ParameterSpec& spec : type->parameters) {
+    use.parameters[spec.name] = read_parameter(table, spec);
+  }
+  return use;
+}
+
+}  // namespace
+
+std::vector<InterfaceUse> read_interfaces(const TomlTable& root,
+                                          const InterfaceRegistry& registry) {
+  std::vector<InterfaceUse> uses;
+  std::vector<std::string> names;
+  if (!root.has("interface")) root.error("a study needs at least one [[interface]]");
+  const std::vector<TomlTable> tables = root.tables("interface");
+  for (const TomlTable& table : tables) {
+    uses.push_back(read_interface(table, registry));
+    names.push_back(uses.back().name);
+  }
+  refuse_doubles(tables, names, "interface");
+  return uses;
+}
+
+}  // namespace promenade::study

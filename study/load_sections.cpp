@@ -1,0 +1,130 @@
+// [study], [display], [[rating]] and the texts of a study's own.
+#include <algorithm>
+
+#include "study/did_you_mean.h"
+#include "study/study_parts.h"
+
+namespace promenade::study {
+namespace {
+
+constexpr std::int64_t largest_seed = INT64_MAX;
+
+void warn_of_missing(const TomlTable& table, std::string_view key, const std::string& what,
+                     const LocalText& text, const Study& study) {
+  if (text.empty()) return;
+  for (const std::string& language : study.languages) {
+    if (text.count(language) > 0) continue;
+    table.warning(key, what + " has no text in \"" + language + "\"; \"" + text_in(text, language) +
+                           "\" is shown");
+  }
+}
+
+LocalText texts_by_language(const TomlTable& table) {
+  LocalText text;
+  for (const std::string& language : known_languages()) {
+    if (const auto words = table.text(language)) text[language] = *words;
+  }
+  return text;
+}
+
+std::vector<std::string> read_language_list(const TomlTable& table) {
+  const std::vector<std::string> known = known_languages();
+  std::vector<std::string> languages;
+  for (const TomlText& entry : table.texts("languages")) {
+    if (std::find(known.begin(), known.end(), entry.text) == known.end()) {
+      table.reader().add(entry.place, "there are no texts in language \"" + entry.text +
+                                          "\", only in " + quoted_list(known));
+    } else if (std::find(languages.begin(), languages.end(), entry.text) != languages.end()) {
+      table.reader().add(entry.place, "language \"" + entry.text + "\" is named twice");
+    } else {
+      languages.push_back(entry.text);
+    }
+  }
+  if (table.is("languages", TomlValue::Kind::array) && languages.empty() && table.reader().ok()) {
+    table.error("languages", "\"languages\" must name at least one language");
+  }
+  return languages;
+}
+
+Order order_of(const std::string& word) {
+  if (word == "latin") return Order::latin;
+  if (word == "random") return Order::random;
+  if (word == "fixed") return Order::fixed;
+  return Order::williams;
+}
+
+Rating read_rating(const TomlTable& table, const Study& study) {
+  Rating rating;
+  rating.item = table.required_text("item");
+  table.require("question");
+  rating.question = read_local_text(table, "question", study);
+  rating.low = read_local_text(table, "low", study);
+  rating.high = read_local_text(table, "high", study);
+  rating.points = static_cast<int>(table.integer("points", 2, 11).value_or(rating.points));
+  return rating;
+}
+
+}  // namespace
+
+LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study) {
+  LocalText text;
+  if (table.is(key, TomlValue::Kind::table)) {
+    text = texts_by_language(*table.table(key));
+  } else if (const auto words = table.text(key)) {
+    text["en"] = *words;
+  }
+  warn_of_missing(table, key, "\"" + std::string(key) + "\"", text, study);
+  return text;
+}
+
+LocalText read_languages(const TomlTable& table, const std::string& what, const Study& study) {
+  LocalText text = texts_by_language(table);
+  warn_of_missing(table, "", what, text, study);
+  return text;
+}
+
+void read_study_section(const TomlTable& root, Study& study) {
+  root.require("study");
+  const TomlTable table = root.table("study").value_or(root.reader().empty());
+  if (root.has("study")) study.name = table.required_text("name");
+  study.version = table.text("version").value_or(study.version);
+  study.set = table.text("set").value_or(study.set);
+  if (table.has("languages")) study.languages = read_language_list(table);
+  study.seed = static_cast<std::uint64_t>(
+      table.integer("seed", 0, largest_seed).value_or(static_cast<std::int64_t>(study.seed)));
+  const auto order = table.choice("order", {"williams", "latin", "random", "fixed"});
+  study.order = order_of(order.value_or("williams"));
+  study.title = read_local_text(table, "title", study);
+  study.consent = read_local_text(table, "consent", study);
+}
+
+void read_display(const TomlTable& root, Study& study) {
+  const auto table = root.table("display");
+  if (!table) return;
+  study.paper_colours = table->choice("colours", {"standard", "paper"}) == "paper";
+}
+
+std::vector<Rating> read_ratings(const TomlTable& root, const Study& study) {
+  std::vector<Rating> ratings;
+  std::vector<std::string> names;
+  const std::vector<TomlTable> tables = root.tables("rating");
+  for (const TomlTable& table : tables) {
+    ratings.push_back(read_rating(table, study));
+    names.push_back(ratings.back().item);
+  }
+  refuse_doubles(tables, names, "rating");
+  return ratings;
+}
+
+void refuse_doubles(const std::vector<TomlTable>& tables, const std::vector<std::string>& names,
+                    const std::string& what) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool before = std::find(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(i),
+                                  names[i]) != names.begin() + static_cast<std::ptrdiff_t>(i);
+    if (before && !names[i].empty()) {
+      tables[i].error("there is another " + what + " with the name \"" + names[i] + "\" before");
+    }
+  }
+}
+
+}  // namespace promenade::study

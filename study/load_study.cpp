@@ -1,0 +1,105 @@
+#include "study/load_study.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "motion/files.h"
+#include "motion/set_file.h"
+#include "study/did_you_mean.h"
+#include "study/embedded.h"
+#include "study/store.h"
+#include "study/study_parts.h"
+
+namespace promenade::study {
+namespace {
+
+constexpr std::string_view configs = "configs/";
+
+std::string text_of(const std::string& file) {
+  std::error_code ignored;
+  const bool on_disk = std::filesystem::exists(file, ignored);
+  if (!on_disk && file.rfind(configs, 0) == 0) {
+    if (const auto text = embedded_file(std::string_view(file).substr(configs.size()))) {
+      return std::string(*text);
+    }
+  }
+  return read_file(file);
+}
+
+// The set that the study names, or nothing and a problem at the place of its name.
+std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::string& name,
+                                          const SetLoader& load_set) {
+  const std::string folder = std::filesystem::path(root.reader().file()).parent_path().string();
+  try {
+    return load_set(name, folder);
+  } catch (const InputError& error) {
+    const TomlTable section = root.table("study").value_or(root);
+    const Problem& first = error.problems().front();
+    section.error("set", "cannot use the motion set \"" + name + "\": " + first.message);
+    for (const Problem& problem : error.problems()) {
+      if (problem.line > 0) root.reader().add({problem});
+    }
+    return std::nullopt;
+  }
+}
+
+void put(std::string& bytes, std::string_view part) {
+  bytes += std::to_string(part.size());
+  bytes += ':';
+  bytes += part;
+}
+
+}  // namespace
+
+Eigen::VectorXd start_weights(const motion::MotionSpace& space) {
+  return Eigen::VectorXd::Constant(space.set.size(), 1.0 / space.set.size());
+}
+
+std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& registry) {
+  std::string bytes;
+  put(bytes, bundle.config_text);
+  put(bytes, bundle.set_sha256);
+  for (const std::string& language : bundle.study.languages) {
+    const Texts texts = load_texts(language);
+    for (const std::string& key : texts.keys()) {
+      put(bytes, key);
+      put(bytes, texts(key));
+    }
+  }
+  for (const InterfaceUse& use : bundle.study.interfaces) {
+    const InterfaceType* type = registry.find(use.type);
+    put(bytes, type->name);
+    put(bytes, type->sentence);
+    for (const ParameterSpec& spec : type->parameters) put(bytes, spec.name);
+  }
+  return sha256_hex(bytes);
+}
+
+StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
+                       const SetLoader& load_set) {
+  TomlReader reader(file, text);
+  if (!reader.ok()) reader.finish();
+  const TomlTable root = reader.root();
+  StudyBundle bundle;
+  Study& study = bundle.study;
+  read_study_section(root, study);
+  read_display(root, study);
+  std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
+  if (set) bundle.space = motion::make_motion_space(std::move(*set));
+  study.interfaces = read_interfaces(root, registry);
+  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
+  study.ratings = read_ratings(root, study);
+  bundle.warnings = reader.finish();
+  bundle.file = file;
+  bundle.config_text = std::move(text);
+  bundle.set_bytes = motion::to_bytes(bundle.space.set);
+  bundle.set_sha256 = sha256_hex(bundle.set_bytes);
+  bundle.sha256 = study_hash(bundle, registry);
+  return bundle;
+}
+
+StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry) {
+  return read_study(file, text_of(file), registry, load_motion_set);
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,194 @@
+#include "study/session.h"
+
+#include <cassert>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "study/session_steps.h"
+
+namespace promenade::study {
+
+std::string_view to_text(Actor actor) {
+  switch (actor) {
+    case Actor::participant:
+      return "participant";
+    case Actor::system:
+      return "system";
+    case Actor::experimenter:
+      return "experimenter";
+  }
+  return "";
+}
+
+std::string_view to_text(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::running:
+      return "running";
+    case Outcome::finished:
+      return "finished";
+    case Outcome::declined:
+      return "declined";
+    case Outcome::withdrawn:
+      return "withdrawn";
+    case Outcome::stopped:
+      return "stopped";
+  }
+  return "";
+}
+
+std::string_view to_text(TrialOutcome outcome) {
+  switch (outcome) {
+    case TrialOutcome::success:
+      return "success";
+    case TrialOutcome::timeout:
+      return "timeout";
+    case TrialOutcome::done:
+      return "done";
+    case TrialOutcome::skipped:
+      return "skipped";
+    case TrialOutcome::aborted:
+      return "aborted";
+  }
+  return "";
+}
+
+Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan)
+    : bundle_(&bundle), registry_(&registry), plan_(std::move(plan)) {
+  assert(!plan_.pages.empty() && plan_.pages[0].kind != PageKind::trial &&
+         "a session begins with a page that waits");
+}
+
+Session::Session(Session&&) noexcept = default;
+Session::~Session() = default;
+
+const Page& Session::page() const {
+  static const Page declined{PageKind::declined, -1};
+  return declined_ ? declined : plan_.pages[page_];
+}
+
+const TrialState* Session::trial() const { return trial_ ? &*trial_ : nullptr; }
+
+bool Session::can_continue() const {
+  if (ended() || page().kind == PageKind::trial) return false;
+  for (const std::optional<double>& answer : answers_) {
+    if (!answer) return false;
+  }
+  return true;
+}
+
+std::vector<Record> Session::step(const Input& input) {
+  if (ended()) return {};
+  Steps steps{*this, input};
+  steps.begin();
+  steps.pass_deadlines(input.t_us);
+  std::visit([&](const auto& action) { steps.act(action); }, input.action);
+  steps.pass_deadlines(input.t_us);  // a dwell time of 0 has passed at once
+  return std::move(steps.records);
+}
+
+Event& Session::Steps::log(const char* kind) {
+  Event event;
+  event.trial = session.trial_ ? session.trial_->index : -1;
+  event.t_us = input.t_us;
+  event.uncertainty_us = input.uncertainty_us;
+  event.frame_us = input.frame_us;
+  event.actor = input.actor;
+  event.kind = kind;
+  return std::get<Event>(records.emplace_back(std::move(event)));
+}
+
+Event& Session::Steps::log_system(const char* kind, std::int64_t t_us) {
+  Event event;
+  event.trial = session.trial_ ? session.trial_->index : -1;
+  event.t_us = t_us;
+  event.kind = kind;
+  return std::get<Event>(records.emplace_back(std::move(event)));
+}
+
+void Session::Steps::begin() {
+  if (session.begun_) return;
+  session.begun_ = true;
+  open_page(0);
+}
+
+void Session::Steps::open_page(std::int64_t t_us) {
+  const Page& page = session.page();
+  Event& event = log_system("page", t_us);
+  event.target = to_text(page.kind);
+  if (!session.declined_) event.value = static_cast<double>(session.page_);
+  const bool rated = page.kind == PageKind::rating;
+  session.answers_.assign(rated ? session.bundle_->study.ratings.size() : 0, std::nullopt);
+  session.answered_us_.assign(session.answers_.size(), 0);
+  if (page.kind == PageKind::trial) open_trial(t_us);
+}
+
+void Session::Steps::next_page(std::int64_t t_us) {
+  if (session.declined_) return end(t_us, Outcome::declined);
+  if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
+  ++session.page_;
+  open_page(t_us);
+}
+
+void Session::Steps::end(std::int64_t t_us, Outcome outcome) {
+  session.outcome_ = outcome;
+  records.emplace_back(SessionEnded{t_us, outcome});
+}
+
+void Session::Steps::emit_answers() {
+  const Study& study = session.bundle_->study;
+  for (std::size_t i = 0; i < session.answers_.size(); ++i) {
+    if (!session.answers_[i]) continue;
+    Answer answer;
+    answer.trial = session.page().trial;
+    answer.t_us = session.answered_us_[i];
+    answer.instrument = "rating";
+    answer.version = study.version;
+    answer.item = study.ratings[i].item;
+    answer.value = session.answers_[i];
+    records.emplace_back(std::move(answer));
+  }
+}
+
+void Session::Steps::act(const Continue&) {
+  if (!session.can_continue()) {
+    log("continue_refused");
+    return;
+  }
+  log("continue");
+  emit_answers();
+  next_page(input.t_us);
+}
+
+void Session::Steps::act(const Decline&) {
+  if (session.page().kind != PageKind::consent) return;
+  log("decline");
+  session.declined_ = true;
+  open_page(input.t_us);
+}
+
+void Session::Steps::act(const SetAnswer& answer) {
+  const std::vector<Rating>& ratings = session.bundle_->study.ratings;
+  for (std::size_t i = 0; i < session.answers_.size(); ++i) {
+    const bool on_scale = answer.value >= 1 && answer.value <= ratings[i].points &&
+                          answer.value == std::round(answer.value);
+    if (ratings[i].item != answer.item || !on_scale) continue;
+    session.answers_[i] = answer.value;
+    session.answered_us_[i] = input.t_us;
+    Event& event = log("answer");
+    event.target = answer.item;
+    event.value = answer.value;
+  }
+}
+
+void Session::Steps::act(const Stop& stop) {
+  log("stop").detail = nlohmann::json{{"reason", stop.reason}}.dump(
+      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+  const PageKind page = session.page().kind;
+  emit_answers();
+  if (session.trial_) end_trial(input.t_us, TrialOutcome::aborted);
+  // Whoever closes the last page has finished.
+  if (page == PageKind::declined) return end(input.t_us, Outcome::declined);
+  end(input.t_us, page == PageKind::thanks ? Outcome::finished : Outcome::stopped);
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,169 @@
+// The running trial: what is shown, what is logged, and when it is over.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "study/session_steps.h"
+
+namespace promenade::study {
+namespace {
+
+void measure(const motion::MotionSpace& space, TrialState& trial) {
+  trial.cycle = motion::blend(space, trial.weights);
+  if (!trial.target_points) return;
+  const motion::Distance d =
+      motion::distance(*trial.target_points, motion::distance_points(space.set, trial.cycle));
+  TrialEnded& summary = trial.summary;
+  trial.d = d.mean_m;
+  summary.d_best = std::min(summary.d_best.value_or(d.mean_m), d.mean_m);
+  summary.d_final = d.mean_m;
+  summary.d_sum = d.sum_m;
+  summary.seconds_difference = trial.cycle.seconds - trial.target->seconds;
+}
+
+}  // namespace
+
+const Task& Session::Steps::task() const {
+  return task_of(session.bundle_->study,
+                 session.plan_.trials[static_cast<std::size_t>(session.trial_->index)]);
+}
+
+// Only what a person did can win.
+bool Session::Steps::below_threshold() const {
+  const TrialState& trial = *session.trial_;
+  const std::optional<double>& threshold = task().threshold_m;
+  return trial.touched && trial.d && threshold && *trial.d < *threshold;
+}
+
+void Session::Steps::reset_trial(TrialState& trial) const {
+  const StudyBundle& bundle = *session.bundle_;
+  const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(trial.index)];
+  const InterfaceUse& use = bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
+  const InterfaceType* type = session.registry_->find(use.type);
+  const auto number = static_cast<std::uint64_t>(trial.index);
+  trial.weights = start_weights(bundle.space);
+  trial.interface = type->start({bundle.space, use.parameters, trial.weights,
+                                 Rng(session.plan_.seed, number, "interface").next()});
+  trial.touched = false;
+  trial.below_since_us.reset();
+}
+
+void Session::Steps::open_trial(std::int64_t t_us) {
+  const motion::MotionSpace& space = session.bundle_->space;
+  TrialState trial;
+  trial.index = session.page().trial;
+  trial.started_us = t_us;
+  const Target& target = target_of(session.bundle_->study,
+                                   session.plan_.trials[static_cast<std::size_t>(trial.index)]);
+  if (target.weights) {
+    trial.target = motion::blend(space, *target.weights);
+    trial.target_points = motion::distance_points(space.set, *trial.target);
+  }
+  reset_trial(trial);
+  measure(space, trial);
+  trial.summary.trial = trial.index;
+  records.emplace_back(TrialStarted{trial.index, t_us, trial.d});
+  session.trial_ = std::move(trial);
+  log_system("start", t_us);
+  records.emplace_back(
+      Sample{session.trial_->index, t_us, session.trial_->d, session.trial_->weights});
+}
+
+// Shows the weights that the trial has now. A change by time alone (an interface that
+// glides) leaves the dwell time running while D stays below.
+void Session::Steps::show(TrialState& trial, std::int64_t t_us, bool by_control) {
+  measure(session.bundle_->space, trial);
+  records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
+  const bool below = below_threshold();
+  if (!below) {
+    trial.below_since_us.reset();
+  } else if (by_control || !trial.below_since_us) {
+    trial.below_since_us = t_us;
+  }
+  if (below && !trial.summary.first_below_us) trial.summary.first_below_us = t_us;
+}
+
+void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
+  TrialEnded ended = session.trial_->summary;
+  ended.t_us = t_us;
+  ended.outcome = outcome;
+  session.trial_.reset();
+  records.emplace_back(std::move(ended));
+}
+
+void Session::Steps::pass_deadlines(std::int64_t t_us) {
+  while (session.trial_) {
+    const TrialState& trial = *session.trial_;
+    constexpr std::int64_t never = INT64_MAX;
+    const std::int64_t won = trial.below_since_us ? *trial.below_since_us + task().dwell_us : never;
+    const std::optional<double>& limit = task().limit_s;
+    const std::int64_t over =
+        limit ? trial.started_us + static_cast<std::int64_t>(*limit * 1e6) : never;
+    if (std::min(won, over) > t_us) return;
+    end_trial(std::min(won, over), won <= over ? TrialOutcome::success : TrialOutcome::timeout);
+    next_page(std::min(won, over));
+  }
+}
+
+void Session::Steps::act(const Tick&) {
+  if (!session.trial_ || !session.trial_->touched) return;
+  TrialState& trial = *session.trial_;
+  Eigen::VectorXd weights = trial.interface->weights(input.t_us);
+  if (weights == trial.weights) return;
+  trial.weights = std::move(weights);
+  show(trial, input.t_us, false);
+}
+
+void Session::Steps::act(const Press&) {
+  Event& event = log("press");
+  event.x = input.x;
+  event.y = input.y;
+  if (session.trial_ && input.actor == Actor::participant) ++session.trial_->summary.clicks;
+}
+
+void Session::Steps::act(const Done&) {
+  if (!session.trial_) return;
+  log("done");
+  end_trial(input.t_us, below_threshold() ? TrialOutcome::success : TrialOutcome::done);
+  next_page(input.t_us);
+}
+
+void Session::Steps::act(const StartOver&) {
+  if (!session.trial_) return;
+  log("start_over");
+  reset_trial(*session.trial_);
+  show(*session.trial_, input.t_us, true);
+}
+
+void Session::Steps::act(const Control& control) {
+  if (!session.trial_) return;
+  TrialState& trial = *session.trial_;
+  ControlInput change = control.input;
+  change.t_us = input.t_us;
+  const bool applied = trial.interface->apply(change);
+  Event& event = log(change.kind.c_str());
+  event.target = change.target;
+  event.value = change.value;
+  event.x = change.x;
+  event.y = change.y;
+  event.detail = applied ? R"({"applied":true})" : R"({"applied":false})";
+  if (!applied) return;
+  if (input.actor == Actor::participant) ++trial.summary.changes;
+  trial.touched = true;
+  trial.weights = trial.interface->weights(input.t_us);
+  show(trial, input.t_us, true);
+}
+
+void Session::Steps::act(const Camera& camera) {
+  log("camera").detail =
+      fmt::format(R"({{"yaw":{},"pitch":{},"zoom":{}}})", camera.yaw, camera.pitch, camera.zoom);
+}
+
+void Session::Steps::act(const LateFrame& late) {
+  Event& event = log("late_frame");
+  event.actor = Actor::system;
+  event.value = static_cast<double>(late.late_us);
+  if (session.trial_) ++session.trial_->summary.late_frames;
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,36 @@
+// The sections of a study file, each read by one function. Inside study/ only.
+#pragma once
+
+#include "study/study.h"
+#include "study/toml_reader.h"
+
+namespace promenade::study {
+
+// What the sections need to know of each other.
+struct StudyContext {
+  const InterfaceRegistry& registry;
+  const Study& study;                // what has been read so far
+  const motion::MotionSpace* space;  // null: the set could not be read
+};
+
+// A text of the study's own: key = "words", or key = {en = "words", ja = "言葉"}. Warns
+// about languages of the study that are missing.
+LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study);
+// The same where the languages are keys of the table itself.
+LocalText read_languages(const TomlTable& table, const std::string& what, const Study& study);
+
+void read_study_section(const TomlTable& root, Study& study);
+void read_display(const TomlTable& root, Study& study);
+std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry);
+std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
+std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
+                                 const StudyContext& context);
+std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
+                                   const StudyContext& context);
+std::vector<Rating> read_ratings(const TomlTable& root, const Study& study);
+
+// A problem for every table whose `key` was used before.
+void refuse_doubles(const std::vector<TomlTable>& tables, const std::vector<std::string>& names,
+                    const std::string& what);
+
+}  // namespace promenade::study

@@ -1,0 +1,109 @@
+#include "analysis/vectors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "motion/files.h"
+#include "motion/problem.h"
+
+namespace promenade::analysis {
+namespace {
+
+using Json = nlohmann::json;
+
+Json run(const std::string& text) { return Json::parse(run_vectors("v.json", text))["results"]; }
+
+std::string message_of(const std::string& text) {
+  try {
+    run_vectors("v.json", text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Vectors, GiveEveryCaseAnEntryAndNameWhatTheyCannotDo) {
+  const Json results = run(R"({"families": {
+      "wilson": [{"id": "w", "kind": "prop", "input": {"x": 0, "n": 0, "conf": 0.95}},
+                 {"id": "bad", "kind": "prop", "input": {"x": 5, "n": 3, "conf": 0.95}},
+                 {"id": "less", "kind": "prop", "input": {"n": 3, "conf": 0.95}}],
+      "tarot": [{"id": "t", "input": {}}]}})");
+  EXPECT_EQ(results["w"]["ci"], Json::parse("[0.0, 1.0]"));
+  EXPECT_TRUE(results["w"]["estimate"].is_null());
+  EXPECT_EQ(results["bad"]["error"], "input.x is larger than input.n");
+  EXPECT_EQ(results["less"]["error"], "input.x is missing");
+  EXPECT_EQ(results["t"]["error"], "the family tarot is not known");
+}
+
+TEST(Vectors, SayWhereAFileIsNoJson) {
+  EXPECT_EQ(message_of("{\n \"families\": {,}\n}"), "v.json:2:15: error: is not JSON here");
+  EXPECT_NE(message_of(""), "");
+  EXPECT_NE(message_of("[1, 2"), "");
+  EXPECT_NE(message_of(R"({"families": {"wilson": [{"input": {"x": 1e999}}]}})"), "");
+}
+
+TEST(Vectors, NameAllMisplacedPartsAtOnce) {
+  EXPECT_NE(message_of("[]").find("not a file of test vectors"), std::string::npos);
+  const std::string message =
+      message_of(R"({"families": {"a": 1, "b": [{"id": "x"}, {}, {"id": "x"}]}})");
+  EXPECT_NE(message.find("family a is not a list"), std::string::npos);
+  EXPECT_NE(message.find("case 1 of family b has no id"), std::string::npos);
+  EXPECT_NE(message.find("case 2 of family b has the id of an earlier case"), std::string::npos);
+}
+
+TEST(Vectors, DropPairsWithANull) {
+  const Json results = run(R"({"families": {"wilcoxon": [
+      {"id": "m", "input": {"x": [3, null, 5], "y": [1, 2, null]}}]}})");
+  EXPECT_EQ(results["m"]["n"], 1);
+  EXPECT_EQ(results["m"]["n_missing"], 2);
+  EXPECT_EQ(results["m"]["d"], Json::parse("[2.0]"));
+  EXPECT_TRUE(results["m"]["hl_all"]["ci95"].is_null());
+}
+
+// The tolerances that the header of the shared file states.
+bool agree(const Json& actual, const Json& expected, const std::string& key) {
+  if (expected.is_number() && actual.is_number()) {
+    const double a = actual;
+    const double e = expected;
+    if (key.rfind("p_exact", 0) == 0) return std::abs(a - e) <= 1e-10 * std::abs(e);
+    if (key[0] == 'W' || key[0] == 'T' || key[0] == 'n') return a == e;
+    return std::abs(a - e) <= std::max(1e-9 * std::abs(e), 1e-12);
+  }
+  if (!expected.is_structured()) return actual == expected;
+  if (expected.is_array() && actual.size() != expected.size()) return false;
+  for (const auto& item : expected.items()) {
+    const bool there = expected.is_array() || actual.contains(item.key());
+    const Json& mine = expected.is_array() ? actual[std::stoul(item.key())] : actual[item.key()];
+    if (!there || !agree(mine, item.value(), expected.is_array() ? key : item.key())) return false;
+  }
+  return true;
+}
+
+std::filesystem::path shared_vectors() {
+  const char* data = std::getenv("PROMENADE_DATA");
+  const std::filesystem::path folder =
+      data ? data : std::filesystem::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+  return folder / "../stats/vectors.json";
+}
+
+TEST(Vectors, AgreeWithOtherProgramsOnEverySharedCaseOfKnownFamilies) {
+  if (!std::filesystem::exists(shared_vectors())) {
+    GTEST_SKIP() << "no shared test vectors at " << shared_vectors();
+  }
+  const std::string text = read_file(shared_vectors());
+  const Json results = run(text);
+  const Json families = Json::parse(text)["families"];
+  for (const std::string& family : known_families()) {
+    for (const Json& one : families[family]) {
+      const std::string id = one["id"];
+      EXPECT_TRUE(agree(results[id], one["expected"], "")) << id << " " << results[id];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace promenade::analysis

@@ -1,0 +1,23 @@
+#include "study/did_you_mean.h"
+
+#include <gtest/gtest.h>
+
+namespace promenade::study {
+namespace {
+
+TEST(EditDistance, CountsLettersThatDiffer) {
+  EXPECT_EQ(edit_distance("", ""), 0);
+  EXPECT_EQ(edit_distance("", "abc"), 3);
+  EXPECT_EQ(edit_distance("kitten", "sitting"), 3);
+  EXPECT_EQ(edit_distance("macth", "match"), 1);
+}
+
+TEST(ClosestName, IsOnlyGivenWhenItIsNear) {
+  EXPECT_EQ(closest_name("lables", {"weights", "labels"}), "labels");
+  EXPECT_EQ(closest_name("map", {"weights", "labels"}), "");
+  EXPECT_EQ(did_you_mean("lables", {"labels"}), "; did you mean \"labels\"?");
+  EXPECT_EQ(did_you_mean("x", {}), "");
+}
+
+}  // namespace
+}  // namespace promenade::study
