@@ -6,17 +6,11 @@
 #include <cstdint>
 #include <numeric>
 
+#include "analysis/median.h"
 #include "analysis/sign_flips.h"
 
 namespace promenade::analysis {
 namespace {
-
-std::optional<double> median_of_sorted(const std::vector<double>& sorted) {
-  if (sorted.empty()) return std::nullopt;
-  const std::size_t half = sorted.size() / 2;
-  if (sorted.size() % 2 == 1) return sorted[half];
-  return sorted[half - 1] / 2 + sorted[half] / 2;
-}
 
 // How far to go in from the ends, and with what probability outside of one end.
 struct Cut {

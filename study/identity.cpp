@@ -34,6 +34,8 @@ std::string utc_now() {
   return text.data();
 }
 
+std::string_view program_version() { return PROMENADE_VERSION; }
+
 std::string random_uuid() {
   start_sodium();
   std::array<unsigned char, 16> bytes{};

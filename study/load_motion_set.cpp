@@ -1,5 +1,9 @@
-// Only builtin sets for now; recipes and files come with the captures.
+// Built-in sets and set files; recipes come with the captures.
+#include <filesystem>
+
 #include "motion/builtin.h"
+#include "motion/files.h"
+#include "motion/set_file.h"
 #include "study/study.h"
 
 namespace promenade::study {
@@ -8,8 +12,10 @@ motion::MotionSet load_motion_set(const std::string& name, const std::string& fo
   constexpr std::string_view prefix = "builtin:";
   if (name.rfind(prefix, 0) == 0) {
     if (auto set = motion::builtin_set(name.substr(prefix.size()))) return std::move(*set);
+    throw InputError(name, "there is no built-in motion set of this name");
   }
-  throw InputError(folder.empty() ? name : folder + "/" + name, "is not a motion set");
+  const std::string file = (std::filesystem::path(folder) / name).string();
+  return motion::from_bytes(read_file(file), file);
 }
 
 }  // namespace promenade::study

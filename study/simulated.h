@@ -2,6 +2,11 @@
 // with every interface through InterfaceType::simulate, and drives the session
 // by the same inputs as a person. The window's autopilot turns its intentions
 // into mouse events; `simulate` hands them to the session directly.
+//
+// How it decides: of a handful of things that it could do next it imagines the
+// result, roughly, and does what seems best; then it looks at what came of it. In
+// find tasks every style appeals to the asked quality by a fixed but arbitrary
+// amount, which all simulated people share, and most by a style of that name.
 #pragma once
 
 #include "study/session.h"
@@ -14,6 +19,8 @@ struct Person {
   double imagination_m = 0.03;  // the same for a motion that is only imagined
   double patience_s = 60;       // gives up around then, in tasks that have Done
   double think_s = 1.2;         // mean time between two actions
+  int ideas = 5;                // how many next steps come to mind
+  double generosity = 0;        // added to every rating, as a share of the scale
 };
 Person draw_person(Rng& rng);
 
@@ -30,13 +37,32 @@ class SimulatedParticipant {
   Intention next(const Session& session);
 
  private:
+  struct Trial {
+    int index = -1;
+    double patience_s = 0;  // of this trial
+    double spent_s = 0;
+    Eigen::VectorXd target;        // N; empty in find tasks
+    double metres_per_offset = 0;  // from the length of a difference of offsets to D
+    Eigen::VectorXd appeal;        // N, 0 to 1; empty in match tasks
+    double success = 0;            // how it went so far, 0 to 1
+  };
+  Intention at_page(const Session& session);
+  Intention at_trial(const Session& session);
+  Intention at_rating(const Session& session);
+  void begin_trial(const Session& session);
+  // How far from the wish: metres of D in match, 1 - appeal in find.
+  double imagined(const Eigen::VectorXd& weights) const;
+  double seen(const TrialState& trial) const;
+  double unit() const;  // how much of it is one metre of noise
+  std::optional<ControlInput> best_idea(const Session& session, const TrialState& trial);
+  Intention after(double mean_s, decltype(Input::action) action);
+
   const StudyBundle* bundle_;
   const InterfaceRegistry* registry_;
   Rng rng_;
   Person person_;
-  std::optional<double> best_seen_;
-  int trial_ = -1;
-  double spent_s_ = 0;
+  Eigen::MatrixXd gram_;  // N x N: offsets^T offsets
+  Trial trial_;
 };
 
 }  // namespace promenade::study

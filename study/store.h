@@ -38,9 +38,12 @@ class Store {
   // The order that the next session gets: the one with the fewest finished or
   // running sessions of the same kind (real, pilot, simulated), the lowest first.
   int next_sequence(bool simulated, bool pilot);
+  // The same for the next `count` sessions, if all of them finish.
+  std::vector<int> next_sequences(bool simulated, bool pilot, int count);
   bool knows_participant(const std::string& code);
   // "S001", "S002", ...: the next free code of a simulated participant.
   std::string next_simulated_code();
+  int next_simulated_number();  // its number, from 1
 
   void begin_session(const SessionHeader& header, const Plan& plan);
   void write(const Record& record);
@@ -55,6 +58,7 @@ class Store {
 // "2026-11-22T16:02:29Z": the only place that reads the wall clock.
 std::string utc_now();
 std::string random_uuid();
+std::string_view program_version();
 std::string sha256_hex(std::string_view bytes);
 
 }  // namespace promenade::study

@@ -1,12 +1,202 @@
+// `promenade check`: reads everything that a study names, says all that is wrong,
+// and how fair its targets are.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "app/print.h"
+#include "app/registry.h"
+#include "study/fairness.h"
 
 namespace promenade::app {
+namespace {
+
+using study::StudyBundle;
+using study::Target;
+using study::Task;
+
+constexpr double fair_ratio = 3;
+
+struct InterfaceReach {
+  std::string interface;
+  study::Reach reach;
+};
+
+// What the interfaces of a task can do about one of its targets.
+struct TargetReport {
+  std::string task, target;
+  bool practice = false;
+  std::optional<double> threshold_m;
+  std::vector<InterfaceReach> reaches;
+};
+
+TargetReport report_target(const StudyBundle& bundle, const Task& task, const Target& target,
+                           bool practice) {
+  TargetReport report{task.name, target.name, practice, task.threshold_m, {}};
+  for (const int index : task.interfaces) {
+    const std::string& name = bundle.study.interfaces[static_cast<std::size_t>(index)].name;
+    report.reaches.push_back({name, study::reach(bundle, interfaces(), task, index, target)});
+  }
+  return report;
+}
+
+std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
+  std::vector<TargetReport> reports;
+  for (const Task& task : bundle.study.tasks) {
+    for (const bool practice : {true, false}) {
+      for (const Target& target : practice ? task.practice : task.targets) {
+        if (!target.weights) continue;
+        reports.push_back(report_target(bundle, task, target, practice));
+      }
+    }
+  }
+  return reports;
+}
+
+void warn_of_reach(const TargetReport& report, std::vector<std::string>& warnings) {
+  if (!report.threshold_m) return;
+  for (const auto& [interface, reach] : report.reaches) {
+    if (reach.best < *report.threshold_m) continue;
+    warnings.push_back(fmt::format(
+        "task \"{}\": with interface \"{}\" the target \"{}\" seems out of reach: the best D found "
+        "is {:.4f} m, the threshold {:.4f} m",
+        report.task, interface, report.target, reach.best, *report.threshold_m));
+  }
+}
+
+// A share of 0 stands for less than one of the settings that were tried.
+double share_of(const study::Reach& reach) {
+  return std::max(reach.share_below, 0.5 / std::max(1, reach.settings));
+}
+
+void warn_of_shares(const TargetReport& report, std::vector<std::string>& warnings) {
+  if (!report.threshold_m || report.reaches.size() < 2) return;
+  const auto less = [](const InterfaceReach& a, const InterfaceReach& b) {
+    return share_of(a.reach) < share_of(b.reach);
+  };
+  const auto [low, high] = std::minmax_element(report.reaches.begin(), report.reaches.end(), less);
+  if (share_of(high->reach) <= fair_ratio * share_of(low->reach)) return;
+  warnings.push_back(fmt::format(
+      "task \"{}\": by chance, target \"{}\" is met by {:.1f} % of the settings of \"{}\", but by "
+      "{:.1f} % of those of \"{}\"; the task favours one interface",
+      report.task, report.target, 100 * high->reach.share_below, high->interface,
+      100 * low->reach.share_below, low->interface));
+}
+
+void add_warnings(StudyBundle& bundle, const std::vector<TargetReport>& reports) {
+  std::vector<std::string> sentences;
+  for (const TargetReport& report : reports) {
+    warn_of_reach(report, sentences);
+    warn_of_shares(report, sentences);
+  }
+  for (std::string& sentence : sentences) {
+    bundle.warnings.push_back({bundle.file, 0, 0, std::move(sentence), Severity::warning});
+  }
+}
+
+Json report_json(const TargetReport& report) {
+  Json json = {{"task", report.task},
+               {"target", report.target},
+               {"practice", report.practice},
+               {"threshold_m", to_json(report.threshold_m)}};
+  json["interfaces"] = Json::array();
+  for (const auto& [interface, reach] : report.reaches) {
+    json["interfaces"].push_back({{"name", interface},
+                                  {"d_start", reach.start},
+                                  {"d_best", reach.best},
+                                  {"d_best_example", reach.best_example},
+                                  {"share_below", reach.share_below},
+                                  {"settings", reach.settings}});
+  }
+  return json;
+}
+
+Json study_json(const std::string& file, const std::vector<Problem>& problems) {
+  Json json = {{"file", file}, {"ok", !has_error(problems)}};
+  json["problems"] = Json::array();
+  for (const Problem& problem : problems) json["problems"].push_back(to_json(problem));
+  return json;
+}
+
+Json bundle_json(const StudyBundle& bundle, const std::vector<TargetReport>& reports) {
+  Json json = study_json(bundle.file, bundle.warnings);
+  json["name"] = bundle.study.name;
+  json["version"] = bundle.study.version;
+  json["sha256"] = bundle.sha256;
+  json["set"] = {{"name", bundle.space.set.name},
+                 {"cycles", bundle.space.set.size()},
+                 {"sha256", bundle.set_sha256},
+                 {"median_style_distance_m", study::median_style_distance(bundle.space)}};
+  json["targets"] = Json::array();
+  for (const TargetReport& report : reports) json["targets"].push_back(report_json(report));
+  return json;
+}
+
+std::string task_line(const Task& task) {
+  std::string line =
+      fmt::format("task {}: {}", task.name, task.kind == study::TaskKind::match ? "match" : "find");
+  line += task.limit_s ? fmt::format(", {} s", *task.limit_s) : ", no time limit";
+  if (task.threshold_m) {
+    line += fmt::format(", won when D stays below {:.4f} m for {} s", *task.threshold_m,
+                        static_cast<double>(task.dwell_us) / 1e6);
+  }
+  return line + "\n";
+}
+
+std::string targets_text(const std::vector<TargetReport>& reports) {
+  std::string text = fmt::format("  {:<16}{:<16}{:<16}{:>10}{:>10}{:>14}{:>14}\n", "task", "target",
+                                 "interface", "D start", "D best", "best example", "won by chance");
+  for (const TargetReport& report : reports) {
+    for (const auto& [interface, reach] : report.reaches) {
+      text += fmt::format("  {:<16}{:<16}{:<16}{:>10.4f}{:>10.4f}{:>14.4f}", report.task,
+                          report.target, interface, reach.start, reach.best, reach.best_example);
+      text += report.threshold_m ? fmt::format("{:>12.1f} %\n", 100 * reach.share_below) : "\n";
+    }
+  }
+  return text;
+}
+
+std::string bundle_text(const StudyBundle& bundle, const std::vector<TargetReport>& reports) {
+  const study::Study& study = bundle.study;
+  std::string text = fmt::format("{}: the study \"{}\", version {}, can be run\n", bundle.file,
+                                 study.name, study.version);
+  text += fmt::format("  {} interfaces, {} tasks; motion set {} with {} walks, {:.4f} m apart\n",
+                      study.interfaces.size(), study.tasks.size(), study.set,
+                      bundle.space.set.size(), study::median_style_distance(bundle.space));
+  for (const Task& task : study.tasks) text += "  " + task_line(task);
+  return reports.empty() ? text : text + targets_text(reports);
+}
+
+void run(const std::vector<std::string>& files, bool json) {
+  Json document = {{"studies", Json::array()}};
+  std::vector<Problem> errors;
+  for (const std::string& file : files) {
+    try {
+      StudyBundle bundle = study::load_study(file, interfaces());
+      const std::vector<TargetReport> reports = report_targets(bundle);
+      add_warnings(bundle, reports);
+      print_problems(bundle.warnings);
+      document["studies"].push_back(bundle_json(bundle, reports));
+      if (!json) print_text(bundle_text(bundle, reports));
+    } catch (const InputError& error) {
+      errors.insert(errors.end(), error.problems().begin(), error.problems().end());
+      document["studies"].push_back(study_json(file, error.problems()));
+    }
+  }
+  if (json) print_json(document);
+  if (!errors.empty()) throw InputError(errors);
+}
+
+}  // namespace
 
 void add_check_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("check", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("check is not in this version of Promenade yet"); });
+  auto files = std::make_shared<std::vector<std::string>>();
+  auto json = std::make_shared<bool>(false);
+  CLI::App* command = program.add_subcommand("check", "Reads everything a study names");
+  command->add_option("studies", *files, "study files (.toml)")->required();
+  command->add_flag("--json", *json, "one JSON document on stdout");
+  command->callback([files, json] { run(*files, *json); });
 }
 
 }  // namespace promenade::app

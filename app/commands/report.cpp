@@ -1,12 +1,45 @@
+#include "analysis/report.h"
+
+#include <cstdio>
+#include <memory>
+
 #include "app/commands.h"
 #include "motion/problem.h"
 
 namespace promenade::app {
+namespace {
+
+struct Arguments {
+  analysis::ReportOptions options;
+  std::string folder;
+  std::string prereg;
+};
+
+void run_report(Arguments& arguments) {
+  if (!arguments.prereg.empty()) {
+    throw OutsideError("report --prereg is not in this version of Promenade yet; leave it out");
+  }
+  arguments.options.folder = arguments.folder;
+  analysis::write_report(arguments.options);
+  std::fprintf(stderr, "%s/report.html\n", arguments.folder.c_str());
+}
+
+}  // namespace
 
 void add_report_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("report", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("report is not in this version of Promenade yet"); });
+  CLI::App* command = program.add_subcommand("report", "from the databases of a study to a report");
+  auto arguments = std::make_shared<Arguments>();
+  analysis::SelectionOptions& selection = arguments->options.selection;
+  command->add_option("DB", arguments->options.databases, "databases of one study")->required();
+  command->add_option("--out", arguments->folder, "folder of the report")->required();
+  command->add_flag("--include-simulated", selection.include_simulated)
+      ->description("count simulated participants, too");
+  command->add_flag("--include-pilot", selection.include_pilot)
+      ->description("count pilot sessions, too");
+  command->add_option("--exclude", selection.exclude_file,
+                      "CSV of people to leave out: CODE,REASON");
+  command->add_option("--prereg", arguments->prereg, "(not in this version yet)");
+  command->callback([arguments] { run_report(*arguments); });
 }
 
 }  // namespace promenade::app

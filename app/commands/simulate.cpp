@@ -1,12 +1,73 @@
+// `promenade simulate`: simulated participants through the same session code.
+#include "study/simulate.h"
+
+#include <fmt/format.h>
+
+#include <thread>
+
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "app/print.h"
+#include "app/registry.h"
 
 namespace promenade::app {
+namespace {
+
+struct Options {
+  std::string file, database;
+  int participants = 0;
+  std::uint64_t seed = 0;
+  int jobs = 0;
+  bool json = false;
+};
+
+int run_cohort(const Options& options, const study::StudyBundle& bundle) {
+  study::Store store(options.database, bundle);
+  study::Cohort cohort;
+  cohort.participants = options.participants;
+  cohort.seed = options.seed;
+  cohort.jobs = options.jobs > 0
+                    ? options.jobs
+                    : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  cohort.machine = Json{{"program", "promenade " + std::string(study::program_version())}}.dump();
+  cohort.progress = [&](int done) {
+    show_progress("simulated", done, options.participants);
+    return !interrupted();
+  };
+  interrupted();
+  return study::simulate_cohort(bundle, interfaces(), store, cohort);
+}
+
+void run(const Options& options) {
+  const study::StudyBundle bundle = study::load_study(options.file, interfaces());
+  print_problems(bundle.warnings);
+  const int stored = run_cohort(options, bundle);
+  if (stored < options.participants) {
+    throw OutsideError(fmt::format("stopped after {} of {} participants; those are whole in {}",
+                                   stored, options.participants, options.database));
+  }
+  if (options.json) {
+    print_json({{"db", options.database}, {"participants", stored}, {"seed", options.seed}});
+  } else {
+    print_text(fmt::format("{} simulated participants are in {}\n", stored, options.database));
+  }
+}
+
+}  // namespace
 
 void add_simulate_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("simulate", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("simulate is not in this version of Promenade yet"); });
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      program.add_subcommand("simulate", "Simulated participants, without a window");
+  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("--participants", options->participants, "how many")
+      ->required()
+      ->check(CLI::Range(1, 1'000'000));
+  command->add_option("--seed", options->seed, "of everything random in them")->required();
+  command->add_option("--db", options->database, "the database to make or to add to")->required();
+  command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--json", options->json, "one JSON document on stdout");
+  command->callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

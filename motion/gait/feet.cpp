@@ -11,7 +11,7 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double heel_rise = 2.8;  // end slope of the heel's rise over its mean: late and quick
+constexpr double heel_rise = 2.95;  // end slope of the heel's rise over its mean: late and quick
 
 double strike_slope(const GaitStyle& style) {  // degrees per stride
   return -1.3 * style.feet.strike_pitch / style.timing.foot_flat;
@@ -71,26 +71,37 @@ Vector3d ball_velocity_at_strike(const GaitStyle& style, Side side) {
   return -strike_slope(style) * degree * axis.cross(arm);
 }
 
+// Height of the toe joint in swing: up behind the body, down to pass the other
+// foot, up again with the toes, and down with the velocity of the next contact.
+double swinging_height(const Feet& feet, double from, double to, double sink, double s) {
+  const double pass = feet.lift_peak + 0.27;
+  const double crest = to - 0.36 * 0.12 * sink + 0.012;
+  const double low = from + feet.clearance;
+  return through({{0, from, 0},
+                  {feet.lift_peak, from + feet.lift, 0},
+                  {pass, low, 0.6 * (crest - low) / (0.88 - pass)},
+                  {0.88, crest, 0},
+                  {1, to, sink}},
+                 s);
+}
+
 // The toe joint leaves the ground at rest and arrives with the velocity of the
 // next contact.
 Vector3d swinging_ball(const GaitStyle& style, Side side, double count, double share) {
   const double span = swing_span(style);
   const double s = (share - style.timing.stance) / span;
-  const Vector3d last = footfall(style, side, count);
-  const Vector3d next = footfall(style, side, count + 1);
+  const double push = -style.feet.push_off_pitch;
   const double strike = style.feet.strike_pitch;
-  const Vector3d from =
-      ball_of(style, side, standing_ankle(style, side, last, -style.feet.push_off_pitch),
-              -style.feet.push_off_pitch);
-  const Vector3d to = ball_of(style, side, standing_ankle(style, side, next, strike), strike);
-  const double ahead = through({{0, 0, 0}, {0.5, 0.5, 1.5}, {1, 1, 0}}, s);
-  const double late = through({{0, 0, 0}, {0.45, 0.25, 0.9}, {0.88, 1, 0.4}, {1, 1, 0}}, s);
-  const double hump =
-      through({{0, 0, 0}, {style.feet.lift_peak, 1, 0}, {0.85, 0.12, -0.8}, {1, 0, 0}}, s);
-  Vector3d ball = from + ahead * (to - from);
-  ball.y() = from.y() + late * (to.y() - from.y()) + style.feet.lift * hump;
+  const Vector3d last = standing_ankle(style, side, footfall(style, side, count), push);
+  const Vector3d next = standing_ankle(style, side, footfall(style, side, count + 1), strike);
+  const Vector3d from = ball_of(style, side, last, push);
+  const Vector3d to = ball_of(style, side, next, strike);
+  const Vector3d arrival = ball_velocity_at_strike(style, side) * span;
+  const double ahead = through({{0, 0, 0}, {0.5, 0.53, 1.65}, {0.87, 0.965, 0.65}, {1, 1, 0}}, s);
+  Vector3d ball = from + ahead * (to - from) + s * s * (s - 1) * arrival;
+  ball.y() = swinging_height(style.feet, from.y(), to.y(), arrival.y(), s);
   ball.x() += sign_of(side) * style.feet.circumduction * 16 * s * s * (1 - s) * (1 - s);
-  return ball + ball_velocity_at_strike(style, side) * span * s * s * (s - 1);
+  return ball;
 }
 
 double toes_up(const GaitStyle& style, double share) {

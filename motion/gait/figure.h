@@ -15,7 +15,7 @@ inline constexpr double ankle_height = 0.08;  // m over the sole
 // Points of the foot from the ankle, metres: where the heel and the ball touch the
 // ground, the toe joint over the ball, and the tip of the toes.
 inline const Eigen::Vector3d heel_point{0, -ankle_height, -0.05};
-inline const Eigen::Vector3d toe_joint{0, -0.055, 0.135};
+inline const Eigen::Vector3d toe_joint{0, -0.055, 0.142};
 inline const Eigen::Vector3d toe_tip{0, -0.008, 0.07};  // from the toe joint
 
 Skeleton make_skeleton();

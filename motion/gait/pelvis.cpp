@@ -23,20 +23,26 @@ double leg_reach(double knee) {
 double wanted_knee(const GaitStyle& style, double share) {
   const Knees& knees = style.knees;
   const double other = 0.5;
-  return through({{0, knees.strike, 0.5 * (knees.loading - knees.strike) / 0.13},
-                  {0.14, knees.loading, 0},
-                  {0.39, knees.mid, 0},
-                  {other, knees.release, 1.2 * (knees.release - knees.mid) / (other - 0.39)},
+  return through({{-0.06, knees.strike + 4, -50},
+                  {0, knees.strike, 0.5 * (knees.loading - knees.strike) / 0.13},
+                  {0.13, knees.loading, 0},
+                  {0.38, knees.mid, 0},
+                  {other, knees.release, 1.2 * (knees.release - knees.mid) / (other - 0.38)},
                   {style.timing.stance, knees.toe_off, 350}},
                  share);
 }
 
-// How much a leg has to say about the height: it takes over in double support.
+// A leg's own stride, -0.25 to 0.75: 0 when its heel strikes.
+double since_strike(const GaitStyle& style, Side side, double stride) {
+  return own_share(style, side, stride + 0.25) - 0.25;
+}
+
+// How much a leg has to say about the height: it takes over around its strike.
 double bearing(const GaitStyle& style, Side side, double stride) {
-  const double share = own_share(style, side, stride);
-  const double overlap = style.timing.stance - 0.5;
-  const double taken = smooth_step(share / overlap);
-  const double given = smooth_step((share - 0.5) / overlap);
+  constexpr double ramp = 0.06;
+  const double since = since_strike(style, side, stride);
+  const double taken = smooth_step(0.5 * (since / ramp + 1));
+  const double given = smooth_step(0.5 * ((since - 0.5) / ramp + 1));
   return taken * (1 - given);
 }
 
@@ -55,29 +61,41 @@ double wanted_height(const GaitStyle& style, double stride) {
   for (const Side side : {Side::left, Side::right}) {
     const double weight = bearing(style, side, stride);
     if (weight <= 0) continue;
-    const double knee = wanted_knee(style, own_share(style, side, stride));
+    const double knee = wanted_knee(style, since_strike(style, side, stride));
     sum += weight * height_for(style, side, stride, leg_reach(knee));
     total += weight;
   }
-  return sum / total - style.pelvis.bounce * std::cos(4 * pi * (stride - 0.05));
+  return sum / total - style.pelvis.bounce * std::cos(4 * pi * (stride - 0.06));
 }
 
-// How far the pelvis is too high for one of the legs, metres, at worst.
-double excess(const GaitStyle& style, const PelvisHeight& height) {
-  double most = 0;
+struct Excess {
+  double height = 0;  // m
+  double stride = 0;
+};
+
+// Where the pelvis is too high for one of the legs at worst, and by how much.
+Excess worst_excess(const GaitStyle& style, const PelvisHeight& height) {
+  Excess worst;
   for (int i = 0; i < 2 * samples; ++i) {
     const double stride = 0.5 * i / samples;
     for (const Side side : {Side::left, Side::right}) {
       const double limit = height_for(style, side, stride, leg_reach(straightest));
-      most = std::max(most, height_at(height, stride) - limit);
+      const double excess = height_at(height, stride) - limit;
+      if (excess > worst.height) worst = {excess, stride};
     }
   }
-  return most;
+  return worst;
 }
 
-}  // namespace
+// Sinks by the excess there and half a stride later, and not at all in between.
+void dip(PelvisHeight& height, const Excess& excess) {
+  const double half = 0.5 * excess.height;
+  height[0] -= half;
+  height[3] -= half * std::cos(4 * pi * excess.stride);
+  height[4] -= half * std::sin(4 * pi * excess.stride);
+}
 
-PelvisHeight pelvis_height(const GaitStyle& style) {
+PelvisHeight smoothed_height(const GaitStyle& style) {
   PelvisHeight height{};
   for (int i = 0; i < samples; ++i) {
     const double stride = static_cast<double>(i) / samples;
@@ -89,7 +107,16 @@ PelvisHeight pelvis_height(const GaitStyle& style) {
       height[k] += 2 * wanted * std::sin(2 * pi * h * stride);
     }
   }
-  height[0] -= excess(style, height);
+  return height;
+}
+
+}  // namespace
+
+PelvisHeight pelvis_height(const GaitStyle& style) {
+  PelvisHeight height = smoothed_height(style);
+  // A leg that is too short asks for a dip where it is; what is left is little.
+  for (int i = 0; i < 4; ++i) dip(height, worst_excess(style, height));
+  height[0] -= worst_excess(style, height).height;
   return height;
 }
 

@@ -9,7 +9,7 @@
 
 namespace promenade::motion::gait {
 
-inline constexpr int height_harmonics = 5;
+inline constexpr int height_harmonics = 3;
 
 // Height over the stride, metres: mean, then cosine and sine of each harmonic.
 using PelvisHeight = std::array<double, 2 * height_harmonics + 1>;

@@ -44,15 +44,14 @@ TrunkTurns trunk_turns(const GaitStyle& style, double stride) {
 }
 
 ArmTurns arm_turns(const GaitStyle& style, Side side, double stride) {
-  const Arms& arms = style.arms;
-  const double x = sign_of(side);
   const bool left = side == Side::left;
-  const double share = left ? arms.left_share : 1;
+  const Arms arms = left ? style.left_arm.value_or(style.arms) : style.arms;
+  const double x = sign_of(side);
   const double front = (left ? 0.0 : 0.5) + arms.lag;
-  const double swing = share * wave(stride, front, style.crispness);
-  const double bend = share * wave(stride, front + arms.elbow_lag, style.crispness);
-  const double drop = share * wave(stride, front + 2 * arms.elbow_lag, style.crispness);
-  const double elbow = arms.elbow + (left ? arms.left_elbow : 0) + arms.elbow_swing * bend;
+  const double swing = wave(stride, front, style.crispness);
+  const double bend = wave(stride, front + arms.elbow_lag, style.crispness);
+  const double drop = wave(stride, front + 2 * arms.elbow_lag, style.crispness);
+  const double elbow = arms.elbow + arms.elbow_swing * bend;
   const double yaw = chest_yaw(style, stride);
 
   ArmTurns turns;

@@ -25,7 +25,8 @@ motion::Skeleton skeleton() {
 motion::BodyMap body() {
   motion::BodyMap map;
   for (int b = 0; b < motion::body_joint_count; ++b) {
-    const int joint = b == 0 ? 0 : b < motion::left_hip ? 1 : b < motion::right_hip ? 2 : 3;
+    const bool hip = b == motion::pelvis || b == motion::left_hip || b == motion::right_hip;
+    const int joint = hip ? 0 : b < motion::left_hip ? 1 : b < motion::right_hip ? 2 : 3;
     map.joint[static_cast<std::size_t>(b)] = joint;
     map.borrowed[static_cast<std::size_t>(b)] = true;
   }

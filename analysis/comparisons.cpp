@@ -1,0 +1,117 @@
+#include "analysis/comparisons.h"
+
+#include "analysis/differences.h"
+#include "analysis/item.h"
+#include "analysis/p_adjust.h"
+
+namespace promenade::analysis {
+namespace {
+
+using Values = std::vector<std::optional<double>>;
+
+// Values of one interface at one place, in an order that pairs them.
+Values values_at(const Dataset& data, const Comparison& place, int interface) {
+  if (place.pooling != Pooling::trials) {
+    return mean_per_person(data, place.measure, interface, place.task, place.target);
+  }
+  Values all;
+  const Task& task = item(data.tasks, place.task);
+  for (std::size_t target = 0; target < task.targets.size(); ++target) {
+    const Values more =
+        mean_per_person(data, place.measure, interface, place.task, static_cast<int>(target));
+    all.insert(all.end(), more.begin(), more.end());
+  }
+  return all;
+}
+
+// Nobody has either value: not missing, just not asked.
+int one_sided(const Values& a, const Values& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) count += a[i].has_value() != b[i].has_value() ? 1 : 0;
+  return count;
+}
+
+void run_tests(Comparison& comparison, const Values& a, const Values& b) {
+  comparison.missing = one_sided(a, b);
+  comparison.d = paired_differences(a, b).values;
+  comparison.test = wilcoxon(comparison.d);
+  if (comparison.d.empty()) return;
+  comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
+  const std::vector<double> walsh = walsh_averages(comparison.d);
+  comparison.hl = hodges_lehmann(walsh);
+  comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
+}
+
+void adjust(std::vector<Comparison>& family) {
+  std::vector<double> p;
+  for (const Comparison& comparison : family) {
+    if (comparison.p) p.push_back(*comparison.p);
+  }
+  const std::vector<double> adjusted = adjust_holm(p);
+  std::size_t next = 0;
+  for (Comparison& comparison : family) {
+    if (comparison.p) comparison.p_holm = adjusted[next++];
+  }
+}
+
+// All pairs of interfaces at the place that `place` names.
+std::vector<Comparison> compare_at(const Dataset& data, const Comparison& place) {
+  const int interfaces = size_of(data.interfaces);
+  std::vector<Values> values;
+  for (int i = 0; i < interfaces; ++i) values.push_back(values_at(data, place, i));
+  std::vector<Comparison> family;
+  for (int a = 0; a < interfaces; ++a) {
+    for (int b = a + 1; b < interfaces; ++b) {
+      Comparison comparison = place;
+      comparison.a = a;
+      comparison.b = b;
+      run_tests(comparison, item(values, a), item(values, b));
+      family.push_back(std::move(comparison));
+    }
+  }
+  adjust(family);
+  return family;
+}
+
+bool occurs(const Dataset& data, int measure, int task) {
+  for (const Trial& trial : data.trials) {
+    if (trial.task == task && item(trial.values, measure)) return true;
+  }
+  return false;
+}
+
+std::vector<Comparison> places_of(const Dataset& data, int measure, int task) {
+  Comparison place;
+  place.measure = measure;
+  place.task = task;
+  place.pooling = Pooling::participants;
+  std::vector<Comparison> places = {place};
+  place.pooling = Pooling::trials;
+  places.push_back(place);
+  place.pooling = Pooling::none;
+  const auto targets = item(data.tasks, task).targets.size();
+  for (std::size_t target = 0; target < targets; ++target) {
+    place.target = static_cast<int>(target);
+    places.push_back(place);
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<Comparison> compare_all(const Dataset& data) {
+  std::vector<Comparison> all;
+  for (std::size_t task = 0; task < data.tasks.size(); ++task) {
+    for (std::size_t measure = 0; measure < data.measures.size(); ++measure) {
+      if (!occurs(data, static_cast<int>(measure), static_cast<int>(task))) continue;
+      for (const Comparison& place :
+           places_of(data, static_cast<int>(measure), static_cast<int>(task))) {
+        std::vector<Comparison> family = compare_at(data, place);
+        std::move(family.begin(), family.end(), std::back_inserter(all));
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,40 @@
+// Interfaces compared in pairs by the signed-rank test, at three levels: each
+// target by itself; all targets of a task averaged per person; and all of them
+// pooled as if each were a person of its own, as [O] printed.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/dataset.h"
+#include "analysis/hodges_lehmann.h"
+#include "analysis/wilcoxon.h"
+
+namespace promenade::analysis {
+
+enum class Pooling {
+  none,          // one target, one value per person
+  participants,  // the mean over targets, one value per person
+  trials,        // one value per person and target: pseudo-replication
+};
+
+struct Comparison {
+  int measure = 0, task = 0, a = 0, b = 0;  // indices; differences are a - b
+  int target = -1;                          // -1: not one target
+  Pooling pooling = Pooling::none;
+  int missing = 0;               // people (and targets) with a value for one interface only
+  std::vector<double> d;         // the differences
+  SignedRankTest test;           // zeros dropped, exact
+  std::optional<double> p;       // exact; normal where exact is not feasible; nothing for n = 0
+  std::optional<double> p_holm;  // over all pairs of interfaces at this place
+  std::optional<double> hl;      // of all differences, zeros kept
+  std::optional<LocationInterval> hl_ci;  // 95 %
+};
+
+// For every measure that has a value in the task: first the means per person, then
+// the pooled trials, then each target; within each the pairs in the order of the
+// interfaces. Holm's family is the pairs of one measure at one place.
+std::vector<Comparison> compare_all(const Dataset& data);
+
+}  // namespace promenade::analysis

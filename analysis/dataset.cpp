@@ -1,0 +1,221 @@
+#include "analysis/dataset.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "analysis/item.h"
+#include "analysis/natural_order.h"
+#include "study/outline.h"
+
+namespace promenade::analysis {
+namespace {
+
+// The measures that every trial has: where they come from and how they read.
+struct Column {
+  Measure measure;
+  std::optional<double> (*value)(const LoggedTrial& trial);
+};
+
+// Restricted to the limit. A failure counts with the time at which it ended,
+// which is the limit for a timeout (method.md 8).
+std::optional<double> time_of(const LoggedTrial& trial) {
+  if (!trial.ended_us) return std::nullopt;
+  const double seconds = static_cast<double>(*trial.ended_us - trial.started_us) / 1e6;
+  return trial.limit_s ? std::min(seconds, *trial.limit_s) : seconds;
+}
+
+const std::vector<Column>& columns() {
+  using T = LoggedTrial;
+  static const std::vector<Column> all = {
+      {{"d_first", "D at the start", "m", "cm", 100, 1}, [](const T& t) { return t.d_first; }},
+      {{"d_best", "best D shown", "m", "cm", 100, 1}, [](const T& t) { return t.d_best; }},
+      {{"d_final", "final D", "m", "cm", 100, 1}, [](const T& t) { return t.d_final; }},
+      {{"time_s", "time", "s", "s", 1, 1}, time_of},
+      {{"clicks", "mouse clicks", "", "", 1, 1}, [](const T& t) { return t.clicks; }},
+      {{"changes", "changes of controls", "", "", 1, 1}, [](const T& t) { return t.changes; }},
+  };
+  return all;
+}
+
+bool has_ended(const LoggedTrial& trial) {
+  return trial.outcome == "success" || trial.outcome == "timeout" || trial.outcome == "done";
+}
+
+bool has_failed(const LoggedTrial& trial) {
+  if (trial.outcome == "timeout") return true;
+  return trial.outcome == "done" && trial.threshold_m && trial.d_final &&
+         *trial.d_final > *trial.threshold_m;
+}
+
+// The names that occur, the known ones first and in their order.
+std::vector<std::string> in_order(const std::set<std::string>& occurring,
+                                  const std::vector<std::string>& known) {
+  std::vector<std::string> names;
+  for (const std::string& name : known) {
+    if (occurring.count(name) > 0) names.push_back(name);
+  }
+  std::vector<std::string> rest;
+  for (const std::string& name : occurring) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) rest.push_back(name);
+  }
+  std::sort(rest.begin(), rest.end(), natural_less);
+  names.insert(names.end(), rest.begin(), rest.end());
+  return names;
+}
+
+int index_in(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+class Builder {
+ public:
+  Builder(const Log& log, const Selection& selection)
+      : log_(log), outline_(study::outline_of(log.config_text)) {
+    person_of_session_.assign(log.sessions.size(), -1);
+    for (const Person& person : selection.people) {
+      if (person.fate != Fate::analysed) continue;
+      item(person_of_session_, person.session) = size_of(data_.people);
+      data_.people.push_back(person.code);
+    }
+  }
+
+  Dataset build() {
+    collect_trials();
+    name_conditions();
+    name_measures();
+    for (const int index : taken_) data_.trials.push_back(trial_of(index));
+    put_answers();
+    return std::move(data_);
+  }
+
+ private:
+  const LoggedTrial& logged(int index) const { return item(log_.trials, index); }
+  int person_of(const LoggedTrial& trial) const { return item(person_of_session_, trial.session); }
+
+  void collect_trials() {
+    trial_of_logged_.assign(log_.trials.size(), -1);
+    for (std::size_t i = 0; i < log_.trials.size(); ++i) {
+      const LoggedTrial& trial = log_.trials[i];
+      if (person_of(trial) < 0) continue;
+      if (!has_ended(trial)) {
+        ++data_.left_out_trials;
+        continue;
+      }
+      trial_of_logged_[i] = size_of(taken_);
+      taken_.push_back(static_cast<int>(i));
+    }
+  }
+
+  void name_conditions() {
+    std::set<std::string> interfaces;
+    std::map<std::string, std::set<std::string>> targets;
+    std::set<std::string> tasks;
+    for (const int index : taken_) {
+      interfaces.insert(logged(index).interface);
+      tasks.insert(logged(index).task);
+      targets[logged(index).task].insert(logged(index).target);
+    }
+    data_.interfaces = in_order(interfaces, outline_.interfaces);
+    task_names_ = in_order(tasks, outline_.tasks);
+    for (const std::string& name : task_names_) {
+      data_.tasks.push_back({name, in_order(targets[name], {}), common(name, &LoggedTrial::limit_s),
+                             common(name, &LoggedTrial::threshold_m)});
+    }
+  }
+
+  // The value that all trials of a task share.
+  std::optional<double> common(const std::string& task,
+                               std::optional<double> LoggedTrial::*member) const {
+    std::optional<double> shared;
+    bool first = true;
+    for (const int index : taken_) {
+      if (logged(index).task != task) continue;
+      if (!first && logged(index).*member != shared) return std::nullopt;
+      shared = logged(index).*member;
+      first = false;
+    }
+    return shared;
+  }
+
+  void name_measures() {
+    for (const Column& column : columns()) data_.measures.push_back(column.measure);
+    std::set<std::string> items;
+    for (const LoggedAnswer& answer : log_.answers) {
+      if (item(trial_of_logged_, answer.trial) >= 0) items.insert(answer.item);
+    }
+    items_ = in_order(items, outline_.ratings);
+    for (const std::string& item : items_) {
+      const bool taken = data_.measure(item) >= 0;
+      data_.measures.push_back({taken ? "answer." + item : item, item, "", "", 1, 1});
+    }
+  }
+
+  Trial trial_of(int index) const {
+    const LoggedTrial& from = logged(index);
+    Trial trial;
+    trial.person = person_of(from);
+    trial.interface = index_in(data_.interfaces, from.interface);
+    trial.task = index_in(task_names_, from.task);
+    trial.target = index_in(item(data_.tasks, trial.task).targets, from.target);
+    trial.position = from.position;
+    trial.outcome = from.outcome;
+    trial.failed = has_failed(from);
+    for (const Column& column : columns()) trial.values.push_back(column.value(from));
+    trial.values.resize(data_.measures.size());
+    return trial;
+  }
+
+  // The last answer to an item counts: people may change their mind.
+  void put_answers() {
+    for (const LoggedAnswer& answer : log_.answers) {
+      const int trial = item(trial_of_logged_, answer.trial);
+      if (trial < 0) continue;
+      const auto column =
+          columns().size() + static_cast<std::size_t>(index_in(items_, answer.item));
+      item(data_.trials, trial).values[column] = answer.value;
+    }
+  }
+
+  const Log& log_;
+  study::Outline outline_;
+  Dataset data_;
+  std::vector<int> person_of_session_;
+  std::vector<int> taken_;            // indices of logged trials
+  std::vector<int> trial_of_logged_;  // back from there; -1: not taken
+  std::vector<std::string> task_names_, items_;
+};
+
+}  // namespace
+
+int Dataset::measure(std::string_view name) const {
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (measures[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+Dataset make_dataset(const Log& log, const Selection& selection) {
+  return Builder(log, selection).build();
+}
+
+std::vector<std::optional<double>> mean_per_person(const Dataset& data, int measure, int interface,
+                                                   int task, int target) {
+  std::vector<double> sum(data.people.size(), 0.0);
+  std::vector<int> count(data.people.size(), 0);
+  for (const Trial& trial : data.trials) {
+    const std::optional<double>& value = item(trial.values, measure);
+    if (trial.interface != interface || trial.task != task || !value) continue;
+    if (target >= 0 && trial.target != target) continue;
+    item(sum, trial.person) += *value;
+    ++item(count, trial.person);
+  }
+  std::vector<std::optional<double>> means(data.people.size());
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    if (count[i] > 0) means[i] = sum[i] / count[i];
+  }
+  return means;
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,63 @@
+// The trials that count, as numbers: what the tests and figures are made of.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/log.h"
+#include "analysis/selection.h"
+
+namespace promenade::analysis {
+
+// Something measured in each trial. Its name is that of the trial column, or of
+// the rating item ("answer.NAME" where that is a column, too).
+struct Measure {
+  std::string name;
+  std::string label;  // "final distance D"
+  std::string unit;   // of the values: "m", "s", "" for counts and ratings
+  // How people read it: value * scale, in shown_unit, with so many decimals.
+  std::string shown_unit;
+  double scale = 1;
+  int decimals = 1;
+};
+
+// A trial with an outcome of its own: success, timeout or done.
+struct Trial {
+  int person = 0;  // index into Dataset::people, and so on
+  int interface = 0, task = 0, target = 0;
+  int position = 0;  // in the session, from 1
+  std::string outcome;
+  bool failed = false;  // timeout, or done with D above the threshold (gave up)
+  std::vector<std::optional<double>> values;  // one for each measure
+};
+
+struct Task {
+  std::string name;
+  std::vector<std::string> targets;
+  std::optional<double> limit_s, threshold_m;  // if all its trials had the same
+};
+
+struct Dataset {
+  std::vector<std::string> people;      // codes of those analysed
+  std::vector<std::string> interfaces;  // in the order of the study
+  std::vector<Task> tasks;
+  std::vector<Measure> measures;  // d_first, d_best, d_final, time_s, clicks, changes, ratings
+  std::vector<Trial> trials;
+  int left_out_trials = 0;  // of these people: skipped, aborted or cut off
+
+  int measure(std::string_view name) const;  // index; -1: none
+};
+
+// Interfaces and tasks stand in the order of the study file; those that it does
+// not name follow in natural order, as targets do. Trials of people whose fate is
+// not `analysed` are not in it.
+Dataset make_dataset(const Log& log, const Selection& selection);
+
+// The mean of a measure per person over the trials with this interface in this
+// task and, unless it is -1, of this target; one entry for each person, nothing
+// where there is no value.
+std::vector<std::optional<double>> mean_per_person(const Dataset& data, int measure, int interface,
+                                                   int task, int target = -1);
+
+}  // namespace promenade::analysis

@@ -1,0 +1,184 @@
+#include "analysis/log.h"
+
+#include <sqlite3.h>
+
+#include <filesystem>
+#include <map>
+
+#include "analysis/item.h"
+#include "motion/problem.h"
+#include "study/schema.h"
+#include "study/sqlite.h"
+
+namespace promenade::analysis {
+namespace {
+
+using study::Database;
+using study::Statement;
+
+constexpr const char* study_query =
+    "SELECT name, version, study_sha256, config_text, program_version FROM study "
+    "ORDER BY created_utc DESC, uuid LIMIT 1";
+constexpr const char* session_query =
+    "SELECT session.uuid, participant.uuid, participant.code, session.outcome, "
+    "session.started_utc, session.simulated, session.pilot "
+    "FROM session JOIN participant ON participant.uuid = session.participant "
+    "ORDER BY session.started_utc, participant.code, session.uuid";
+constexpr const char* trial_query =
+    "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
+    "ended_us, outcome, d_first, d_best, d_final, clicks, changes "
+    "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
+constexpr const char* answer_query =
+    "SELECT trial, item, value FROM answer "
+    "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
+    "ORDER BY trial, t_us, item";
+
+std::optional<double> real(const Statement& row, int column) {
+  if (row.is_null(column)) return std::nullopt;
+  return row.real(column);
+}
+
+constexpr const char* damaged =
+    "is damaged (cut off or overwritten); use a copy of it, or recover it with sqlite3's .recover";
+
+Database open(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
+  if (std::filesystem::is_directory(file, error)) {
+    throw InputError(file, "is a folder; name the .db file of a study");
+  }
+  Database database(file, Database::Mode::read_only);
+  study::check_database(database);
+  Statement check(database, "PRAGMA quick_check(1)");
+  if (!check.step() || check.text(0) != "ok") throw InputError(file, damaged);
+  return database;
+}
+
+LoggedTrial trial_in(const Statement& row, int session) {
+  LoggedTrial trial;
+  trial.session = session;
+  trial.uuid = row.text(1);
+  trial.position = static_cast<int>(row.integer(2));
+  trial.task = row.text(3);
+  trial.interface = row.text(4);
+  trial.target = row.text(5);
+  trial.limit_s = real(row, 6);
+  trial.threshold_m = real(row, 7);
+  trial.started_us = row.integer(8);
+  if (!row.is_null(9)) trial.ended_us = row.integer(9);
+  trial.outcome = row.text(10);
+  trial.d_first = real(row, 11);
+  trial.d_best = real(row, 12);
+  trial.d_final = real(row, 13);
+  trial.clicks = real(row, 14);
+  trial.changes = real(row, 15);
+  return trial;
+}
+
+// Adds file after file to one log. A session counts in the first file that has it.
+class Reader {
+ public:
+  void read(const std::string& file) {
+    Database database = open(file);
+    log_.files.push_back({file, "", 0, 0, 0});
+    read_study(database);
+    read_sessions(database);
+    read_trials(database);
+    read_answers(database);
+  }
+
+  Log take() { return std::move(log_); }
+
+ private:
+  int file_index() const { return size_of(log_.files) - 1; }
+
+  void read_study(Database& database) {
+    Statement row(database, study_query);
+    if (!row.step()) throw InputError(database.file(), "holds no study");
+    log_.files.back().program_version = row.text(4);
+    if (file_index() == 0) {
+      log_.study = row.text(0);
+      log_.version = row.text(1);
+      log_.sha256 = row.text(2);
+      log_.config_text = row.text(3);
+    } else if (row.text(2) != log_.sha256) {
+      throw InputError(database.file(), "holds another study than " + log_.files[0].file +
+                                            "; report them one by one");
+    }
+  }
+
+  void read_sessions(Database& database) {
+    Statement row(database, session_query);
+    while (row.step()) {
+      if (!session_of_.emplace(row.text(0), size_of(log_.sessions)).second) {
+        ++log_.repeated_sessions;
+        continue;
+      }
+      log_.sessions.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
+                               row.integer(5) != 0, row.integer(6) != 0, file_index()});
+      ++log_.files.back().sessions;
+    }
+  }
+
+  void read_trials(Database& database) {
+    Statement row(database, trial_query);
+    while (row.step()) {
+      const int session = session_of_.at(row.text(0));
+      if (item(log_.sessions, session).file != file_index()) continue;
+      trial_of_.emplace(row.text(1), size_of(log_.trials));
+      log_.trials.push_back(trial_in(row, session));
+      ++log_.files.back().trials;
+    }
+  }
+
+  // Of trials in this file: the same answers stand in every file with their trial.
+  void read_answers(Database& database) {
+    Statement row(database, answer_query);
+    while (row.step()) {
+      const auto trial = trial_of_.find(row.text(0));
+      if (trial == trial_of_.end() || file_of_trial(trial->second) != file_index()) continue;
+      log_.answers.push_back({trial->second, row.text(1), row.real(2)});
+      ++log_.files.back().answers;
+    }
+  }
+
+  int file_of_trial(int trial) const {
+    const int session = item(log_.trials, trial).session;
+    return item(log_.sessions, session).file;
+  }
+
+  Log log_;
+  std::map<std::string, int> session_of_;  // uuid to index
+  std::map<std::string, int> trial_of_;
+};
+
+// What SQLite says of a file whose content is wrong, not of a disk that fails.
+bool is_about_content(const study::DatabaseError& error) {
+  const int code = error.code() & 0xff;
+  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
+}
+
+}  // namespace
+
+Log read_log(const std::vector<std::string>& files) {
+  Reader reader;
+  std::vector<Problem> problems;
+  for (const std::string& file : files) {
+    try {
+      reader.read(file);
+    } catch (const InputError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    } catch (const study::DatabaseError& error) {
+      if (!is_about_content(error)) throw;
+      problems.push_back({file, 0, 0, damaged, Severity::error});
+    }
+  }
+  if (!problems.empty()) throw InputError(std::move(problems));
+  return reader.take();
+}
+
+std::vector<std::string> log_queries() {
+  return {study_query, session_query, trial_query, answer_query};
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,65 @@
+// What was logged, as plain tables: the door from study/ to analysis/. Nothing
+// is judged here; analysis/selection.h says who counts.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace promenade::analysis {
+
+struct LoggedSession {
+  std::string uuid;
+  std::string participant;  // uuid of the person
+  std::string code;         // of the person, as the experimenter gave it
+  std::string outcome;      // running, finished, declined, withdrawn or stopped
+  std::string started_utc;
+  bool simulated = false;
+  bool pilot = false;
+  int file = 0;  // index into Log::files
+};
+
+struct LoggedTrial {
+  int session = 0;  // index into Log::sessions
+  std::string uuid;
+  int position = 0;  // in the session, from 1
+  std::string task, interface, target;
+  std::optional<double> limit_s, threshold_m;
+  std::int64_t started_us = 0;
+  std::optional<std::int64_t> ended_us;
+  std::string outcome;  // success, timeout, done, skipped or aborted; empty: cut off
+  std::optional<double> d_first, d_best, d_final;  // metres
+  std::optional<double> clicks, changes;
+};
+
+struct LoggedAnswer {
+  int trial = 0;  // index into Log::trials
+  std::string item;
+  std::optional<double> value;
+};
+
+struct LoggedFile {
+  std::string file;  // as it was named
+  std::string program_version;
+  int sessions = 0, trials = 0, answers = 0;  // rows taken from it
+};
+
+struct Log {
+  std::string study, version, sha256, config_text;
+  std::vector<LoggedFile> files;
+  std::vector<LoggedSession> sessions;  // by file and start
+  std::vector<LoggedTrial> trials;      // without practice; by session and position
+  std::vector<LoggedAnswer> answers;    // about these trials, touched and not declined
+  int repeated_sessions = 0;            // in more than one file, taken once
+};
+
+// Reads databases of one study, read-only. Throws InputError, with the problems of
+// all files at once, when one is missing, no database of Promenade, from a newer
+// version, damaged, or of another study than the first.
+Log read_log(const std::vector<std::string>& files);
+
+// The queries behind it, for people who want to repeat them.
+std::vector<std::string> log_queries();
+
+}  // namespace promenade::analysis

@@ -1,0 +1,23 @@
+// From databases to a folder with report.html, report.json, figures and tables.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/selection.h"
+
+namespace promenade::analysis {
+
+struct ReportOptions {
+  std::vector<std::string> databases;  // at least one
+  std::filesystem::path folder;        // made if missing; else its files are replaced
+  SelectionOptions selection;
+};
+
+// Everything is computed and drawn before anything appears at `folder`. Throws
+// InputError (wrong databases or exclusions, no finished trial, `folder` is a file)
+// and OutsideError (disk, gnuplot).
+void write_report(const ReportOptions& options);
+
+}  // namespace promenade::analysis

@@ -1,0 +1,70 @@
+#include "analysis/results.h"
+
+#include "analysis/format.h"
+#include "motion/problem.h"
+
+namespace promenade::analysis {
+namespace {
+
+// Why there is nothing, and what to do about it.
+std::string nothing_to_report(const Selection& selection) {
+  std::string sentence = "holds no finished trial of a finished session that counts";
+  if (selection.left_out_simulated > 0) {
+    sentence += "; " +
+                count_of(selection.left_out_simulated, "simulated participant is",
+                         "simulated participants are") +
+                " left out, add --include-simulated to report them";
+  }
+  if (selection.left_out_pilot > 0) {
+    sentence +=
+        "; " +
+        count_of(selection.left_out_pilot, "pilot participant is", "pilot participants are") +
+        " left out, add --include-pilot to report them";
+  }
+  const int excluded = selection.count(Fate::excluded);
+  if (excluded > 0) sentence += "; " + count_of(excluded, "person is", "people are") + " excluded";
+  return sentence;
+}
+
+std::string all_names(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+std::vector<const Comparison*> Results::pairs(int measure, int task) const {
+  std::vector<const Comparison*> found;
+  for (const Comparison& one : comparisons) {
+    const bool wanted = one.measure == measure && one.task == task;
+    if (wanted && one.pooling == Pooling::participants) found.push_back(&one);
+  }
+  return found;
+}
+
+std::vector<const Summary*> Results::summaries_of(int measure, int task) const {
+  std::vector<const Summary*> found;
+  for (const Summary& one : summaries) {
+    if (one.measure == measure && one.task == task) found.push_back(&one);
+  }
+  return found;
+}
+
+Results compute_results(const std::vector<std::string>& databases,
+                        const SelectionOptions& options) {
+  Results results;
+  results.log = read_log(databases);
+  results.options = options;
+  results.selection = select(results.log, options);
+  results.data = make_dataset(results.log, results.selection);
+  if (results.data.trials.empty()) {
+    throw InputError(all_names(databases), nothing_to_report(results.selection));
+  }
+  results.comparisons = compare_all(results.data);
+  results.failures = failure_ratios(results.data);
+  results.summaries = summaries(results.data);
+  return results;
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,32 @@
+// Everything that a report says, computed; its pages, tables and figures only
+// show it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/comparisons.h"
+#include "analysis/summaries.h"
+
+namespace promenade::analysis {
+
+struct Results {
+  Log log;
+  SelectionOptions options;
+  Selection selection;
+  Dataset data;
+  std::vector<Comparison> comparisons;
+  std::vector<FailureRatio> failures;
+  std::vector<Summary> summaries;
+
+  // The results of one measure in one task, averaged per participant.
+  std::vector<const Comparison*> pairs(int measure, int task) const;
+  std::vector<const Summary*> summaries_of(int measure, int task) const;
+};
+
+// Reads the databases and runs every test. Throws InputError, also when no trial is
+// left to analyse.
+Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options);
+
+}  // namespace promenade::analysis

@@ -1,0 +1,161 @@
+#include "analysis/sentences.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/format.h"
+#include "analysis/item.h"
+
+namespace promenade::analysis {
+namespace {
+
+// "came 0.9 cm closer", "were 3 s faster", "had 2.1 fewer mouse clicks".
+std::string advantage(const Measure& measure, double amount) {
+  const std::string much = with_unit(measure, amount);
+  if (measure.name == "time_s") return "were " + much + " faster";
+  if (measure.name == "d_final" || measure.name == "d_best") return "came " + much + " closer";
+  if (measure.name == "d_first") return "began " + much + " closer";
+  if (measure.name == "clicks" || measure.name == "changes") {
+    return "needed " + much + " fewer " + measure.label;
+  }
+  return "answered " + much + " lower on “" + measure.label + "”";
+}
+
+std::string p_with_family(const Comparison& comparison, int pairs) {
+  const char* kind = comparison.test.exact ? "exact p" : "p";
+  if (pairs <= 1) return fmt::format("{} {}", kind, p_text(*comparison.p));
+  return fmt::format("{} {}, Holm over {} pairs", kind, p_text(*comparison.p_holm), pairs);
+}
+
+// "(95 % CI 0.4 to 1.5; n = 37; exact p = .004)"; sign turns a - b round.
+std::string evidence(const Measure& measure, const Comparison& comparison, double sign, int pairs) {
+  std::string ci = "no 95 % CI with so few people";
+  if (comparison.hl_ci) {
+    const Interval& i = comparison.hl_ci->interval;
+    const Interval turned = sign > 0 ? i : Interval{-i.upper, -i.lower};
+    ci = "95 % CI " + shown_interval(measure, turned);
+  }
+  return fmt::format("({}; n = {}; {})", ci, comparison.test.n, p_with_family(comparison, pairs));
+}
+
+// The smallest two-sided p that so many non-zero differences can have.
+double smallest_p(const Comparison& comparison) {
+  const int n = comparison.test.n - comparison.test.n_zero;
+  return std::min(1.0, std::ldexp(1.0, 1 - n));
+}
+
+std::string only_interface(const Results& results, int measure, int task) {
+  const auto summaries = results.summaries_of(measure, task);
+  if (summaries.empty()) return "There are no values.";
+  const Summary& summary = *summaries[0];
+  const Measure& m = item(results.data.measures, measure);
+  std::string text = fmt::format(
+      "Only one interface was used, {}, so there is nothing to compare: median {} {}",
+      item(results.data.interfaces, summary.interface), m.label, with_unit(m, *summary.median));
+  if (summary.median_ci) {
+    text += fmt::format(" (95 % CI {}; n = {})", shown_interval(m, *summary.median_ci), summary.n);
+  } else {
+    text += fmt::format(" (n = {}, too few for an interval)", summary.n);
+  }
+  return text + ".";
+}
+
+bool stronger(const Comparison* a, const Comparison* b) {
+  if (a->p_holm.has_value() != b->p_holm.has_value()) return a->p_holm.has_value();
+  if (!a->p_holm) return false;
+  if (*a->p_holm != *b->p_holm) return *a->p_holm < *b->p_holm;
+  return *a->p < *b->p;
+}
+
+}  // namespace
+
+bool is_significant(const Comparison& comparison) {
+  return comparison.p_holm && *comparison.p_holm < significance;
+}
+
+std::string sentence_on(const Dataset& data, const Comparison& comparison, int pairs) {
+  const Measure& measure = item(data.measures, comparison.measure);
+  const std::string& a = item(data.interfaces, comparison.a);
+  const std::string& b = item(data.interfaces, comparison.b);
+  const SignedRankTest& test = comparison.test;
+  if (test.n == 0) {
+    return fmt::format("Nobody has a value of {} with both {} and {}.", measure.label, a, b);
+  }
+  if (test.n == test.n_zero) {
+    return fmt::format("{} had the same {} with {} as with {}.",
+                       test.n == 1 ? "The only person" : fmt::format("All {} people", test.n),
+                       measure.label, a, b);
+  }
+  // By ranks where the estimate itself is zero.
+  const bool a_lower = *comparison.hl != 0 ? *comparison.hl < 0 : *test.rank_biserial < 0;
+  const double sign = a_lower ? -1 : 1;
+  const double amount = std::abs(*comparison.hl);
+  if (smallest_p(comparison) >= significance) {
+    return fmt::format(
+        "{} {} too few to compare {} with {}: the smallest p that could come out is {}. The "
+        "difference in {} was {} (a − b).",
+        test.n - test.n_zero, test.n - test.n_zero == 1 ? "difference is" : "differences are", a, b,
+        p_text(smallest_p(comparison)).substr(2), measure.label,
+        with_unit(measure, *comparison.hl));
+  }
+  if (!is_significant(comparison)) {
+    return fmt::format("No difference in {} between {} and {} could be shown: {} − {} = {} {}.",
+                       measure.label, a, b, a, b, with_unit(measure, *comparison.hl),
+                       evidence(measure, comparison, 1, pairs));
+  }
+  return fmt::format("With {} people {} than with {} {}.", a_lower ? a : b,
+                     advantage(measure, amount), a_lower ? b : a,
+                     evidence(measure, comparison, sign, pairs));
+}
+
+std::string sentence_on_measure(const Results& results, int measure, int task) {
+  const auto pairs = results.pairs(measure, task);
+  if (pairs.empty()) return only_interface(results, measure, task);
+  return sentence_on(results.data, **std::min_element(pairs.begin(), pairs.end(), stronger),
+                     size_of(pairs));
+}
+
+std::vector<Spotlight> spotlights(const Results& results) {
+  std::vector<Spotlight> found;
+  for (const char* name : {"d_final", "time_s"}) {
+    const int measure = results.data.measure(name);
+    for (int task = 0; task < size_of(results.data.tasks); ++task) {
+      if (results.summaries_of(measure, task).empty()) continue;
+      found.push_back({measure, task});
+      break;
+    }
+  }
+  return found;
+}
+
+std::vector<std::string> caveats(const Results& results) {
+  std::vector<std::string> sentences;
+  const Selection& selection = results.selection;
+  const int n = selection.count(Fate::analysed);
+  if (n == 1) sentences.push_back("One person was analysed: nothing here speaks for others.");
+  if (n > 1 && n < 6) {
+    sentences.push_back(fmt::format(
+        "With {} people no two-sided signed-rank test can reach p < .05 and no 95 % interval "
+        "exists.",
+        n));
+  }
+  if (results.data.left_out_trials > 0) {
+    sentences.push_back(count_of(results.data.left_out_trials, "trial was", "trials were") +
+                        " skipped, aborted or cut off and counts as missing.");
+  }
+  for (const std::string& code : selection.shared_codes) {
+    sentences.push_back("The code " + code +
+                        " belongs to several people of different files; they are told apart as " +
+                        code + "/1, " + code + "/2 and so on.");
+  }
+  if (results.log.repeated_sessions > 0) {
+    sentences.push_back(
+        count_of(results.log.repeated_sessions, "session stands", "sessions stand") +
+        " in more than one file and was taken from the first.");
+  }
+  return sentences;
+}
+
+}  // namespace promenade::analysis

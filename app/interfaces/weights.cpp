@@ -1,0 +1,177 @@
+// Blend weights ([O] 4.2): one slider for each motion of the set. The sliders are
+// divided by their sum at once, so that moving one changes only the bars of the
+// others.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "app/panel.h"
+#include "app/registry.h"
+
+namespace promenade::app {
+namespace {
+
+using study::ControlInput;
+using study::InterfacePanel;
+using study::InterfaceState;
+
+constexpr double slider_start = 0.5;
+
+class Weights final : public InterfaceState {
+ public:
+  explicit Weights(const study::InterfaceContext& context)
+      : set_(&context.space.set),
+        start_(context.start),
+        has_only_(std::get<bool>(context.parameters.at("only"))),
+        sliders_(Eigen::VectorXd::Constant(context.start.size(), slider_start)) {}
+
+  std::unique_ptr<InterfaceState> clone() const override {
+    return std::make_unique<Weights>(*this);
+  }
+
+  bool apply(const ControlInput& input) override {
+    const int cycle = motion::find_cycle(*set_, input.target);
+    if (cycle < 0) return false;
+    if (input.kind == "slide" && input.value >= 0 && input.value <= 1) {
+      sliders_(cycle) = input.value;
+      return true;
+    }
+    if (input.kind == "only" && has_only_) {
+      sliders_ = Eigen::VectorXd::Unit(sliders_.size(), cycle);
+      return true;
+    }
+    return false;
+  }
+
+  // All at zero asks for nothing: the start is shown.
+  Eigen::VectorXd weights(std::int64_t) const override {
+    const double sum = sliders_.sum();
+    return sum > 0 && std::isfinite(1 / sum) ? Eigen::VectorXd(sliders_ / sum) : start_;
+  }
+
+  const motion::MotionSet& set() const { return *set_; }
+  const Eigen::VectorXd& sliders() const { return sliders_; }
+  bool has_only() const { return has_only_; }
+
+ private:
+  const motion::MotionSet* set_;
+  Eigen::VectorXd start_;
+  bool has_only_;
+  Eigen::VectorXd sliders_;
+};
+
+// A few sliders at a few places; now and then one style alone.
+std::vector<ControlInput> simulate(const InterfaceState& state, study::Rng& rng) {
+  const auto& weights = static_cast<const Weights&>(state);
+  const auto count = static_cast<std::uint64_t>(weights.set().size());
+  std::vector<ControlInput> ideas;
+  for (int k = 0; k < 4; ++k) {
+    const auto cycle = static_cast<std::size_t>(rng.below(count));
+    const std::string& name = weights.set().cycles[cycle].name;
+    if (weights.has_only() && rng.uniform() < 0.15) {
+      ideas.push_back({.kind = "only", .target = name, .value = 1});
+    } else {
+      ideas.push_back({.kind = "slide", .target = name, .value = rng.uniform()});
+    }
+  }
+  return ideas;
+}
+
+// Where the parts of a row lie, pixels.
+struct Columns {
+  Box name, slider, bar, percent, only;
+};
+
+Columns columns_of(const InterfacePanel& panel, const Box& row, bool has_only) {
+  const auto part = [&](float from, float width) -> Box {
+    return {row.x + panel.size(from), row.y, panel.size(width), row.height};
+  };
+  const float left = has_only ? 0 : 48;  // the room of the button goes to the slider
+  return {part(12, 112), part(124, 140 + left), part(268 + left, 36), part(306 + left, 46),
+          part(354, 48)};
+}
+
+void draw_share(const InterfacePanel& panel, const Columns& at, double share) {
+  const app::Palette& palette = panel.look().palette;
+  const float height = panel.size(8);
+  const float y = std::round(at.bar.middle_y() - 0.5f * height);
+  fill({at.bar.x, y, at.bar.width, height}, palette.track);
+  fill({at.bar.x, y, std::round(at.bar.width * static_cast<float>(share)), height},
+       palette.created);
+  std::array<char, 8> text{};
+  const auto end = std::to_chars(text.data(), text.data() + 6, std::lround(100 * share)).ptr;
+  *end = '%';
+  draw_text(panel.look().fonts.text, at.percent, palette.quiet,
+            {text.data(), static_cast<std::size_t>(end + 1 - text.data())}, Align::right);
+}
+
+// A long name is cut, with an ellipsis.
+void draw_name(const InterfacePanel& panel, const Box& box, std::string_view name) {
+  ImFont* font = panel.look().fonts.text;
+  const bool whole = text_width(font, name) <= box.width;
+  std::string shown(name);
+  while (!whole && shown.size() > 1 && text_width(font, shown + "…") > box.width) {
+    do shown.pop_back();
+    while (shown.size() > 1 && (shown.back() & 0xC0) == 0x80);
+  }
+  draw_text(font, box, panel.look().palette.text, whole ? shown : shown + "…");
+}
+
+void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int cycle,
+              double share) {
+  const auto i = static_cast<std::size_t>(cycle);
+  const std::string& target = weights.set().cycles[i].name;
+  const Columns at = columns_of(panel, row, weights.has_only());
+  draw_name(panel, at.name, panel.content().names[i]);
+  panel.slide(target, at.slider, weights.sliders()(cycle), slider_start);
+  draw_share(panel, at, share);
+  if (weights.has_only()) {
+    panel.press("only", target, at.only, panel.content().texts("interface.weights.only"));
+  }
+}
+
+void draw(const InterfaceState& state, InterfacePanel& panel) {
+  const auto& weights = static_cast<const Weights&>(state);
+  const Eigen::VectorXd shares = weights.weights(0);
+  const int rows = weights.set().size();
+  // All in sight when there is room for the knobs, else a list that scrolls.
+  const float note = panel.size(32);
+  const float room = panel.box().height - note;
+  const float height =
+      std::floor(std::clamp(room / static_cast<float>(rows), panel.size(36), panel.size(48)));
+  const Box list{panel.box().x, panel.box().y, panel.box().width, room};
+  panel.begin_scroll(list, height * static_cast<float>(rows));
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  for (int k = 0; k < rows; ++k) {
+    const int cycle = panel.content().by_name[static_cast<std::size_t>(k)];
+    const Box row{origin.x, origin.y + height * static_cast<float>(k), list.width, height};
+    draw_row(weights, panel, row, cycle, shares(cycle));
+  }
+  panel.end_scroll();
+  if (weights.sliders().sum() <= 0) {
+    const Box box{list.x + panel.size(12), list.bottom(), list.width - panel.size(24), note};
+    draw_text(panel.look().fonts.text, box, panel.look().palette.quiet,
+              panel.content().texts("interface.weights.all_zero"));
+  }
+}
+
+const InterfaceEntry entry{{
+    .name = "weights",
+    .sentence =
+        "A slider for each motion; what is shown is their mixture, each in proportion to its "
+        "slider.",
+    .parameters = {{.name = "only",
+                    .standard = true,
+                    .choices = {},
+                    .sentence = "true: a button in each row shows that motion alone"}},
+    .texts = {"interface.weights.title", "interface.weights.hint", "interface.weights.only",
+              "interface.weights.all_zero"},
+    .start =
+        [](const study::InterfaceContext& context) { return std::make_unique<Weights>(context); },
+    .simulate = simulate,
+    .draw = draw,
+}};
+
+}  // namespace
+}  // namespace promenade::app

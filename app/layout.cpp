@@ -1,0 +1,27 @@
+#include "app/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::app {
+
+Layout make_layout(int width, int height) {
+  Layout layout;
+  layout.scale = std::min(static_cast<float>(width) / 1280, static_cast<float>(height) / 720);
+  // Below half size nothing can be read; the picture is cut instead.
+  layout.scale = std::max(layout.scale, 0.5f);
+  layout.left =
+      std::max(0.0f, std::floor(0.5f * (static_cast<float>(width) - 1280 * layout.scale)));
+  layout.top = std::max(0.0f, std::floor(0.5f * (static_cast<float>(height) - 720 * layout.scale)));
+  return layout;
+}
+
+float Layout::size(float at_720) const { return std::round(at_720 * scale); }
+
+Box Layout::box(float x, float y, float width, float height) const {
+  const float right = size(x + width);
+  const float bottom = size(y + height);
+  return {left + size(x), top + size(y), right - size(x), bottom - size(y)};
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,67 @@
+#include "app/line_breaks.h"
+
+namespace promenade::app {
+namespace {
+
+std::size_t character_length(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(text[at]);
+  const std::size_t length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+  return std::min(length, text.size() - at);
+}
+
+bool is_wide(std::string_view character) { return character.size() >= 3 && character[0] != '\xE2'; }
+
+// Characters that no line begins with, and those that none ends with.
+bool closes(std::string_view character) {
+  constexpr std::string_view closing = "、。）」』！？：・ーゃゅょっャュョッ";
+  return character.size() == 3 && closing.find(character) % 3 == 0;
+}
+bool opens(std::string_view character) {
+  constexpr std::string_view opening = "（「『";
+  return character.size() == 3 && opening.find(character) % 3 == 0;
+}
+
+// The first place after `from` where a line may end.
+std::size_t next_break(std::string_view text, std::size_t from) {
+  std::size_t at = from;
+  while (at < text.size()) {
+    const std::string_view character = text.substr(at, character_length(text, at));
+    at += character.size();
+    if (at >= text.size() || text[at] == ' ' || text[at] == '\n') return at;
+    const std::string_view next = text.substr(at, character_length(text, at));
+    if (!is_wide(character) && !is_wide(next)) continue;
+    if (!closes(next) && !opens(character)) return at;
+  }
+  return text.size();
+}
+
+}  // namespace
+
+std::vector<std::string_view> break_lines(std::string_view text, float width,
+                                          const std::function<float(std::string_view)>& measure) {
+  std::vector<std::string_view> lines;
+  std::size_t start = 0;
+  std::size_t end = 0;  // of the line so far
+  while (start < text.size()) {
+    if (text[end] == '\n') {
+      lines.push_back(text.substr(start, end - start));
+      start = ++end;
+      continue;
+    }
+    const std::size_t next = next_break(text, end);
+    if (end > start && measure(text.substr(start, next - start)) > width) {
+      lines.push_back(text.substr(start, end - start));
+      start = end + (text[end] == ' ' ? 1 : 0);
+      end = start;
+      continue;
+    }
+    end = next;
+    if (end == text.size()) {
+      lines.push_back(text.substr(start));
+      break;
+    }
+  }
+  return lines;
+}
+
+}  // namespace promenade::app

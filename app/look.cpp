@@ -1,0 +1,103 @@
+#include "app/look.h"
+
+#include <filesystem>
+
+#include "motion/problem.h"
+
+namespace promenade::app {
+namespace {
+
+constexpr const char* latin_file = "/usr/share/fonts/truetype/noto/NotoSans-Regular.ttf";
+constexpr const char* latin_bold_file = "/usr/share/fonts/truetype/noto/NotoSans-Bold.ttf";
+constexpr const char* japanese_file = "/usr/share/fonts/opentype/ipafont-gothic/ipagp.ttf";
+
+// Dear ImGui's size is ascent plus descent; ours is the em, as in print and on the
+// web. The ratio is a property of Noto Sans (1069 + 293 over 1000).
+constexpr float latin_line = 1.362f;
+
+ImFont* add_font(ImFontAtlas& atlas, const char* latin, float pixels, const ImWchar* ranges) {
+  ImFontConfig config;
+  config.OversampleH = 2;
+  config.PixelSnapH = true;
+  ImFont* font = atlas.AddFontFromFileTTF(latin, pixels * latin_line, &config, ranges);
+  config.MergeMode = true;
+  config.OversampleH = 1;
+  atlas.AddFontFromFileTTF(japanese_file, pixels, &config, ranges);
+  return font;
+}
+
+void require_fonts() {
+  for (const char* file : {latin_file, latin_bold_file, japanese_file}) {
+    if (std::filesystem::exists(file)) continue;
+    throw OutsideError("the font " + std::string(file) +
+                       " is missing; install the packages fonts-noto-core and "
+                       "fonts-ipafont-gothic");
+  }
+}
+
+ImVec4 vec(const Rgb& colour) { return {colour.x(), colour.y(), colour.z(), 1}; }
+
+}  // namespace
+
+Rgb rgb(unsigned int hex) {
+  return Rgb(static_cast<float>(hex >> 16 & 255), static_cast<float>(hex >> 8 & 255),
+             static_cast<float>(hex & 255)) /
+         255.0f;
+}
+
+ImU32 packed(const Rgb& colour, float alpha) {
+  return ImGui::ColorConvertFloat4ToU32({colour.x(), colour.y(), colour.z(), alpha});
+}
+
+Palette make_palette(bool paper) {
+  Palette palette;
+  if (paper) {
+    palette.target = rgb(0x00A000);
+    palette.created = rgb(0x2040E0);
+  }
+  return palette;
+}
+
+Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words) {
+  require_fonts();
+  atlas.Clear();
+  ImFontGlyphRangesBuilder builder;
+  builder.AddRanges(atlas.GetGlyphRangesDefault());
+  for (const std::string& text : words) builder.AddText(text.c_str());
+  for (const char* text : {"–", "…", "“", "”", "’", "%"}) builder.AddText(text);
+  ImVector<ImWchar> ranges;  // the atlas reads it while it builds
+  builder.BuildRanges(&ranges);
+  const auto font = [&](const char* file, float pixels) {
+    return add_font(atlas, file, std::round(pixels * scale), ranges.Data);
+  };
+  Fonts fonts;
+  fonts.text = font(latin_file, 16);
+  fonts.bold = font(latin_bold_file, 16);
+  fonts.reading = font(latin_file, 20);
+  fonts.title = font(latin_file, 24);
+  fonts.heading = font(latin_file, 32);
+  atlas.Build();
+  return fonts;
+}
+
+void set_style(float scale, const Palette& palette) {
+  ImGuiStyle style;
+  style.AntiAliasedLinesUseTex = false;  // the font texture is sampled nearest
+  style.WindowBorderSize = 0;
+  style.WindowPadding = {0, 0};
+  style.FramePadding = {12, 9};
+  style.ScrollbarSize = 14;
+  style.ScrollbarRounding = 0;
+  style.ScaleAllSizes(scale);
+  style.Colors[ImGuiCol_Text] = vec(palette.text);
+  style.Colors[ImGuiCol_FrameBg] = vec(palette.on_colour);
+  style.Colors[ImGuiCol_WindowBg] = {0, 0, 0, 0};
+  style.Colors[ImGuiCol_ScrollbarBg] = vec(palette.panel);
+  style.Colors[ImGuiCol_ScrollbarGrab] = vec(palette.track);
+  style.Colors[ImGuiCol_ScrollbarGrabHovered] = vec(palette.line);
+  style.Colors[ImGuiCol_ScrollbarGrabActive] = vec(palette.quiet);
+  style.Colors[ImGuiCol_TextSelectedBg] = {0.62f, 0.74f, 0.93f, 1};
+  ImGui::GetStyle() = style;
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,58 @@
+// Colours and fonts. The created motion has one colour everywhere, the target
+// another; they differ in lightness too, for people who do not see the hues
+// (tests/app/look_test.cpp computes it).
+#pragma once
+
+#include <imgui.h>
+
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+namespace promenade::app {
+
+using Rgb = Eigen::Vector3f;  // 0 to 1, as a display takes it (sRGB)
+
+Rgb rgb(unsigned int hex);  // 0xRRGGBB
+ImU32 packed(const Rgb& colour, float alpha = 1);
+
+struct Palette {
+  Rgb background = rgb(0xECEAE6);
+  Rgb panel = rgb(0xF8F7F5);
+  Rgb text = rgb(0x26282C);
+  Rgb quiet = rgb(0x63666C);  // text that stands back
+  Rgb line = rgb(0xCFCCC6);
+  Rgb hover = rgb(0xE9E7E2);
+  Rgb track = rgb(0xD5D2CC);
+  Rgb target = rgb(0x72B73E);   // green
+  Rgb created = rgb(0x2B5FB0);  // blue
+  Rgb pilot = rgb(0xE07B1A);
+  Rgb on_colour = rgb(0xFFFFFF);  // text on `created`
+};
+
+// `paper`: the green and the blue of the source ([O] 6).
+Palette make_palette(bool paper);
+
+struct Fonts {
+  ImFont* text = nullptr;     // 16 px
+  ImFont* bold = nullptr;     // 16 px
+  ImFont* reading = nullptr;  // 20 px, for pages of text
+  ImFont* title = nullptr;    // 24 px
+  ImFont* heading = nullptr;  // 32 px
+};
+
+struct Look {
+  Palette palette;
+  Fonts fonts;
+  float scale = 1;  // of everything, from 1280 x 720
+};
+
+// Loads the fonts at `scale` into the atlas, with the characters of `words` and
+// those of Latin. Throws OutsideError when the fonts are not installed. Builds the
+// atlas, so that tests need no graphics card.
+Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words);
+
+// Dear ImGui in our style: square, flat, and cheap to draw in software.
+void set_style(float scale, const Palette& palette);
+
+}  // namespace promenade::app

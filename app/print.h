@@ -1,0 +1,30 @@
+// How commands speak: one JSON document on stdout, words for people on stderr
+// (contract.md, 2).
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "motion/problem.h"
+
+namespace promenade::app {
+
+using Json = nlohmann::ordered_json;
+
+// Names that are not UTF-8 must not end the program: their bytes are replaced.
+void print_json(const Json& document);
+void print_text(const std::string& text);                   // to stdout
+void print_problems(const std::vector<Problem>& problems);  // to stderr
+
+Json to_json(const Problem& problem);
+Json to_json(const std::optional<double>& value);  // null: nothing
+
+// "  done 12 of 40" on stderr, over itself, when that is a terminal.
+void show_progress(const std::string& what, int done, int count);
+
+// True once Ctrl-C was pressed; watching begins with the first call.
+bool interrupted();
+
+}  // namespace promenade::app

@@ -1,0 +1,71 @@
+// The pages of a session. Each is a function that runs every frame: it reads the
+// session, draws, and appends what the participant did. Start here to understand
+// app/screens; one file holds one kind of page.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/panel.h"
+#include "app/stage.h"
+#include "study/session.h"
+
+namespace promenade::app {
+
+using StudyAction = decltype(study::Input::action);
+
+// What the screen remembers between frames, beside the session.
+struct ScreenMemory {
+  std::array<char, 64> code{};  // being typed
+  bool code_refused = false;    // taken by someone else
+  bool wants_start = false;     // the welcome page is left: the code is to be checked
+  std::optional<Orbit> told;    // the camera that was last reported
+  int camera_trial = -1;        // the trial that the camera was set for
+};
+
+// What a page draws from.
+struct Screen {
+  Ui ui;
+  const study::StudyBundle& bundle;
+  const study::Session& session;
+  const study::Texts& texts;
+  const study::InterfaceRegistry& registry;
+  const study::InterfacePanel::Content& content;
+  std::string_view language;
+  std::int64_t now_us;  // since the session began
+  bool pilot, simulated;
+  Stage& stage;
+  ScreenMemory& memory;
+  std::vector<StudyAction>& actions;          // out
+  std::vector<study::ControlInput>& changes;  // out: what was done to the controls
+};
+
+// Everything on screen but the figures, between ImGui::NewFrame and Render.
+void draw_screen(const Screen& screen);
+
+void draw_welcome(const Screen& screen);
+void draw_consent(const Screen& screen);
+void draw_instructions(const Screen& screen);
+void draw_intro(const Screen& screen);
+void draw_trial(const Screen& screen);
+void draw_rating(const Screen& screen);
+void draw_closing(const Screen& screen);  // thanks, and the page after no consent
+
+// Parts that several pages share.
+struct PageTexts {
+  std::string_view title, text, button;
+};
+// A column with a heading, text and the page's main button; returns where free room
+// begins, pixels. True in `pressed`: the button was.
+float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed);
+// Turning and zooming the figures with the mouse on the stage.
+void orbit_with_mouse(const Screen& screen);
+void draw_plates(const Screen& screen);
+const study::PlannedTrial& planned_trial(const Screen& screen);
+const study::Task& task_of(const Screen& screen);
+// "Find a walk that looks confident", with the prefix of the key ("trial", "intro").
+std::string ask(const Screen& screen, const std::string& prefix);
+
+}  // namespace promenade::app

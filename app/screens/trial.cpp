@@ -1,0 +1,98 @@
+// The trial. Nothing outside the panel depends on the interface, to the pixel.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "app/screens/screen.h"
+
+namespace promenade::app {
+namespace {
+
+// The place among the trials of its kind: practice is not numbered.
+std::string number_of(const Screen& screen) {
+  if (planned_trial(screen).practice) return screen.texts("trial.practice");
+  int number = 0;
+  int count = 0;
+  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
+    if (trial.practice) continue;
+    ++count;
+    if (trial.position <= planned_trial(screen).position) ++number;
+  }
+  return screen.texts.with("trial.number",
+                           {{"number", std::to_string(number)}, {"count", std::to_string(count)}});
+}
+
+void draw_countdown(const Screen& screen, double left_s, double limit_s) {
+  const Ui& ui = screen.ui;
+  const Palette& palette = ui.look.palette;
+  const auto seconds = static_cast<int>(std::ceil(left_s));
+  draw_text(ui.look.fonts.text, ui.layout.box(1120, 0, 96, 56), palette.text,
+            fmt::format("{}:{:02}", seconds / 60, seconds % 60), Align::right);
+  const Box box = ui.layout.box(1228, 10, 36, 36);
+  const ImVec2 centre(box.middle_x(), box.middle_y());
+  const float thickness = ui.layout.size(5);
+  const float radius = 0.5f * (box.width - thickness);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddCircle(centre, radius, packed(palette.track), 48, thickness);
+  const float top = -0.5f * std::numbers::pi_v<float>;
+  const auto share = static_cast<float>(std::clamp(left_s / limit_s, 0.0, 1.0));
+  list->PathArcTo(centre, radius, top, top + 2 * std::numbers::pi_v<float> * share, 48);
+  list->PathStroke(packed(left_s <= 10 ? palette.pilot : palette.quiet), 0, thickness);
+}
+
+void draw_strip(const Screen& screen, const study::TrialState& trial) {
+  const Ui& ui = screen.ui;
+  draw_text(ui.look.fonts.text, ui.layout.box(16, 0, 240, 56), ui.look.palette.quiet,
+            number_of(screen));
+  const std::string title = ask(screen, "trial");
+  const Box middle = ui.layout.box(200, 0, 880, 56);
+  const bool fits = text_width(ui.look.fonts.title, title) <= middle.width;
+  draw_text(fits ? ui.look.fonts.title : ui.look.fonts.text, middle, ui.look.palette.text, title,
+            Align::centre);
+  const std::optional<double>& limit = task_of(screen).limit_s;
+  if (!limit) return;
+  const double passed = 1e-6 * static_cast<double>(screen.now_us - trial.started_us);
+  draw_countdown(screen, std::max(0.0, *limit - passed), *limit);
+}
+
+void draw_panel(const Screen& screen, const study::TrialState& trial) {
+  const Box box = screen.ui.layout.panel();
+  const study::InterfaceUse& use =
+      screen.bundle.study.interfaces[static_cast<std::size_t>(planned_trial(screen).interface)];
+  const study::InterfaceType* type = screen.registry.find(use.type);
+  ImGui::SetCursorScreenPos({box.x, box.y});
+  ImGui::BeginChild("panel", {box.width, box.height}, false, ImGuiWindowFlags_NoScrollbar);
+  ImGui::PushID(trial.index);
+  study::InterfacePanel panel(screen.ui, box, screen.content, screen.changes);
+  type->draw(*trial.interface, panel);
+  ImGui::PopID();
+  ImGui::EndChild();
+}
+
+}  // namespace
+
+void draw_trial(const Screen& screen) {
+  const study::TrialState* trial = screen.session.trial();
+  if (trial == nullptr) return;
+  const Ui& ui = screen.ui;
+  if (screen.memory.camera_trial != trial->index) {
+    // Every trial begins with the same view; whoever wants another turns again.
+    screen.memory.camera_trial = trial->index;
+    screen.memory.told = screen.stage.orbit() = Orbit{};
+  }
+  draw_strip(screen, *trial);
+  orbit_with_mouse(screen);
+  draw_plates(screen);
+  draw_panel(screen, *trial);
+  if (button(ui, "start_over", ui.layout.start_over(), screen.texts("trial.start_over"),
+             ButtonKind::quiet)) {
+    screen.actions.emplace_back(study::StartOver{});
+  }
+  if (button(ui, "done", ui.layout.done(), screen.texts("trial.done"), ButtonKind::filled)) {
+    screen.actions.emplace_back(study::Done{});
+  }
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,54 @@
+#include "app/screens/screen.h"
+
+namespace promenade::app {
+namespace {
+
+bool draw_code_field(const Screen& screen, float y) {
+  const Ui& ui = screen.ui;
+  const Box column = ui.layout.column();
+  draw_text(ui.look.fonts.bold, {column.x, y, column.width, ui.layout.size(28)},
+            ui.look.palette.text, screen.texts("welcome.code"));
+  const float top = y + ui.layout.size(32);
+  const Box field{column.x, top, ui.layout.size(280), ui.layout.size(44)};
+  Widget widget;
+  widget.box = field;
+  widget.view = visible_box();
+  ui.widgets.add("type", "code", widget);
+  ImGui::PushFont(ui.look.fonts.reading);
+  const float pad = std::round(0.5f * (field.height - ImGui::GetFontSize()));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.layout.size(12), pad});
+  ImGui::SetCursorScreenPos({field.x, field.y});
+  ImGui::SetNextItemWidth(field.width);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputText("##code", screen.memory.code.data(), screen.memory.code.size(),
+                       ImGuiInputTextFlags_CharsNoBlank | ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemEdited()) screen.memory.code_refused = false;
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+  frame(field, ui.look.palette.quiet, ui.layout.size(1));
+  const char* hint = screen.memory.code_refused ? "welcome.code_known" : "welcome.code_hint";
+  draw_text(ui.look.fonts.text,
+            {field.x, field.bottom() + ui.layout.size(4), column.width, ui.layout.size(28)},
+            ui.look.palette.quiet, screen.texts(hint));
+  return entered;
+}
+
+}  // namespace
+
+void draw_welcome(const Screen& screen) {
+  const study::Study& study = screen.bundle.study;
+  const std::string& own = study::text_in(study.title, screen.language);
+  const std::string text = screen.texts.with(
+      "welcome.text", {{"count", std::to_string(screen.session.plan().trials.size())}});
+  const bool has_code = screen.memory.code[0] != '\0';
+  bool pressed = false;
+  const float below = draw_text_page(
+      screen,
+      {own.empty() ? screen.texts("welcome.title") : own, text, screen.texts("button.start")},
+      has_code, pressed);
+  const bool entered = draw_code_field(screen, below + screen.ui.layout.size(32));
+  if ((pressed || entered) && has_code) screen.memory.wants_start = true;
+}
+
+}  // namespace promenade::app

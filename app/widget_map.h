@@ -1,0 +1,56 @@
+// Which control is where in the picture: drawn widgets enter themselves, and the
+// autopilot and the tests find them by name.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/box.h"
+
+namespace promenade::app {
+
+struct Widget {
+  std::string kind;    // what it does: "pick", "slide", "press", ...
+  std::string target;  // of what: "happy", "done", ...
+  Box box;             // pixels
+  Box view;            // the part of the window that shows it; outside it must be scrolled
+  // Sliders: where the knob is, and where it is at the values 0 and 1.
+  float knob = 0, at_zero = 0, at_one = 0;
+  bool slides = false;
+
+  bool visible() const {
+    return view.holds(box.middle_x(), box.y + 1) && view.holds(box.middle_x(), box.bottom() - 1);
+  }
+};
+
+class WidgetMap {
+ public:
+  void clear() { used_ = 0; }
+  // Keeps the memory of frames before.
+  void add(std::string_view kind, std::string_view target, const Widget& widget) {
+    if (used_ == widgets_.size()) widgets_.emplace_back();
+    Widget& slot = widgets_[used_++];
+    slot.kind.assign(kind);
+    slot.target.assign(target);
+    slot.box = widget.box;
+    slot.view = widget.view;
+    slot.knob = widget.knob;
+    slot.at_zero = widget.at_zero;
+    slot.at_one = widget.at_one;
+    slot.slides = widget.slides;
+  }
+  const Widget* find(std::string_view kind, std::string_view target) const {
+    for (std::size_t i = 0; i < used_; ++i) {
+      if (widgets_[i].kind == kind && widgets_[i].target == target) return &widgets_[i];
+    }
+    return nullptr;
+  }
+
+ private:
+  std::vector<Widget> widgets_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace promenade::app

@@ -1,0 +1,10 @@
+// The monotonic clock. Only app/window reads it; everything else is told the time.
+#pragma once
+
+#include <cstdint>
+
+namespace promenade::app {
+
+std::int64_t monotonic_us();
+
+}  // namespace promenade::app

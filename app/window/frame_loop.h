@@ -1,0 +1,33 @@
+// The frames of a window, in the order that stamps input best on one thread:
+// draw the figures; poll; draw the screen; while the graphics card works, wait for
+// events; swap; wait for events until the next frame is due.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "app/window/window.h"
+
+namespace promenade::app {
+
+struct FrameHooks {
+  std::function<void(std::int64_t now_us)> draw_figures;
+  std::function<void(std::int64_t now_us)> draw_screen;                    // after the poll
+  std::function<void(std::int64_t shown_us, std::int64_t late_us)> shown;  // late: else 0
+  std::function<bool()> ended;
+};
+
+// How the frames were, for the log and for measurements.
+struct FrameTimes {
+  std::vector<std::int64_t> work_us;      // from the start of a frame to its swap
+  std::vector<std::int64_t> interval_us;  // from swap to swap
+};
+
+// Runs until ended() says so. `hz`: frames a second when the display does not say.
+FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz = 60);
+
+// Software OpenGL works in threads of its own; they must not hold up the input.
+void let_renderer_threads_idle();
+
+}  // namespace promenade::app

@@ -1,0 +1,63 @@
+// Mouse and keyboard on their way to the screen. The callbacks of the window, the
+// autopilot and the tests all push here; Dear ImGui is fed from here and from
+// nowhere else. Each event keeps the time at which it arrived.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+struct ImGuiIO;
+
+namespace promenade::app {
+
+struct UiEvent {
+  enum class Kind { move, button, wheel, key, character, focus };
+  Kind kind = Kind::move;
+  double x = 0, y = 0;              // move: pixels of the framebuffer; wheel: notches
+  int code = 0;                     // button: 0 left; key: GLFW's number; character: Unicode
+  bool down = false;                // button and key: pressed; focus: gained
+  std::int64_t t_us = 0;            // on the monotonic clock
+  std::int64_t uncertainty_us = 0;  // how much earlier it may have happened
+};
+
+// A mouse button went down.
+struct UiPress {
+  std::int64_t t_us = 0, uncertainty_us = 0;
+  double x = 0, y = 0;  // pixels
+};
+
+class InputQueue {
+ public:
+  // Sets the keys that Dear ImGui's text field needs.
+  static void set_up(ImGuiIO& io);
+
+  void push(const UiEvent& event) { waiting_.push_back(event); }
+
+  // Hands events to Dear ImGui, up to and including one change of a button or a
+  // key: two in one frame would be lost. Call it before ImGui::NewFrame.
+  void feed(ImGuiIO& io);
+
+  // What the last feed handed over, for what the screen does about it.
+  std::int64_t t_us() const { return t_us_; }
+  std::int64_t uncertainty_us() const { return uncertainty_us_; }
+  const std::vector<UiPress>& presses() const { return presses_; }
+
+  // The time up to which everything has been handed over.
+  std::int64_t settled_us(std::int64_t now_us) const {
+    return waiting_.empty() ? now_us : waiting_.front().t_us;
+  }
+  bool empty() const { return waiting_.empty(); }
+  double x() const { return x_; }
+  double y() const { return y_; }
+
+ private:
+  bool hand_over(const UiEvent& event, ImGuiIO& io);  // true: enough for this frame
+
+  std::deque<UiEvent> waiting_;
+  std::vector<UiPress> presses_;
+  std::int64_t t_us_ = 0, uncertainty_us_ = 0;
+  double x_ = -1, y_ = -1;
+};
+
+}  // namespace promenade::app

@@ -1,0 +1,58 @@
+// A window with an OpenGL 3.3 context. Its callbacks stamp each event on arrival
+// and put it into the queue.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/window/input_queue.h"
+
+struct GLFWwindow;
+
+namespace promenade::app {
+
+// Is there a display to open a window on? Opens none. Throws OutsideError with
+// what to do when there is not.
+void require_display();
+
+struct WindowOptions {
+  std::string title = "Promenade";
+  bool windowed = false;  // 1280 x 720 instead of the whole screen
+};
+
+class Window {
+ public:
+  // Throws OutsideError. The queue outlives the window.
+  Window(const WindowOptions& options, InputQueue& queue);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  void poll();                       // takes in what has arrived
+  void wait_events(double seconds);  // the same, but first waits for something
+  void swap();
+  bool closing() const;  // the person closed it
+  void close();
+  bool focused() const { return focused_; }
+  int width() const { return width_; }  // pixels of the framebuffer
+  int height() const { return height_; }
+  double refresh_hz() const { return refresh_hz_; }  // 0: not known
+  float content_scale() const { return content_scale_; }
+  std::string description() const;  // JSON: display, driver, scale
+
+ private:
+  struct Callbacks;
+  void stamp(UiEvent event);
+  void measure();
+
+  GLFWwindow* handle_ = nullptr;
+  InputQueue& queue_;
+  std::int64_t last_poll_us_ = 0;
+  int width_ = 0, height_ = 0;
+  double pixels_per_unit_ = 1;  // framebuffer pixels in a unit of the window system
+  double refresh_hz_ = 0;
+  float content_scale_ = 1;
+  bool focused_ = true;
+};
+
+}  // namespace promenade::app

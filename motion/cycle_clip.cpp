@@ -1,0 +1,77 @@
+#include "motion/cycle_clip.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::motion {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double degrees = 180 / M_PI;
+
+// Angles about Z, Y and X with Rz Ry Rx = q, in degrees.
+Vector3d zyx_angles(const Eigen::Quaterniond& q) {
+  const Eigen::Matrix3d r = q.normalized().toRotationMatrix();
+  const double across = std::hypot(r(0, 0), r(1, 0));
+  const double y = std::atan2(-r(2, 0), across);
+  // Where Y is a right angle only the sum of the others counts.
+  if (across < 1e-9) return degrees * Vector3d(0, y, std::atan2(-r(1, 2), r(1, 1)));
+  return degrees * Vector3d(std::atan2(r(1, 0), r(0, 0)), y, std::atan2(r(2, 1), r(2, 2)));
+}
+
+// Near the angles of the frame before, so that other programs can interpolate.
+Vector3d unwrapped(Vector3d angles, const Vector3d& before) {
+  for (int axis = 0; axis < 3; ++axis) {
+    angles(axis) += 360 * std::round((before(axis) - angles(axis)) / 360);
+  }
+  return angles;
+}
+
+int frame_count(const Cycle& cycle) {
+  const double made = std::min(std::round(60 * cycle.seconds), 1e5);
+  return std::clamp(cycle.frames > 0 ? cycle.frames : static_cast<int>(made), 2, 100'000);
+}
+
+void set_channels(Clip& clip) {
+  using enum Channel;
+  int row = 0;
+  for (int j = 0; j < clip.skeleton.size(); ++j) {
+    JointChannels own{{z_rotation, y_rotation, x_rotation}, row};
+    if (j == 0) {
+      own.channels = {x_position, y_position, z_position, z_rotation, y_rotation, x_rotation};
+    }
+    row += static_cast<int>(own.channels.size());
+    clip.channels.push_back(std::move(own));
+  }
+}
+
+}  // namespace
+
+Clip cycle_clip(const MotionSet& set, const Cycle& cycle) {
+  Clip clip;
+  clip.file = cycle.name;
+  clip.format = "bvh";
+  clip.skeleton = set.skeleton;
+  clip.skeleton.joints[0].offset.setZero();
+  clip.unit_m = 1;
+  const int frames = frame_count(cycle);
+  clip.frame_time = cycle.seconds / frames;
+  set_channels(clip);
+  clip.values.resize(3 + 3 * set.skeleton.size(), frames + 1);
+  for (int f = 0; f <= frames; ++f) {
+    const double seconds = f * clip.frame_time;
+    // The phase of the closing frame is that of the first, to the last bit.
+    const Pose pose = pose_at(set, cycle, f == frames ? 0 : phase_at(set, cycle, seconds));
+    auto values = clip.values.col(f);
+    values.head<3>() = pose.root + Vector3d(cycle.velocity.x(), 0, cycle.velocity.y()) * seconds;
+    for (int j = 0; j < set.skeleton.size(); ++j) {
+      const Vector3d angles = zyx_angles(pose.rotations[static_cast<std::size_t>(j)]);
+      const Vector3d before = clip.values.col(std::max(f - 1, 0)).segment<3>(3 + 3 * j);
+      values.segment<3>(3 + 3 * j) = f == 0 ? angles : unwrapped(angles, before);
+    }
+  }
+  return clip;
+}
+
+}  // namespace promenade::motion

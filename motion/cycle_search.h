@@ -1,0 +1,42 @@
+// All loops that a take offers, from one right foot off to the next, and how well
+// each closes.
+#pragma once
+
+#include "motion/foot_contacts.h"
+
+namespace promenade::motion {
+
+// Times are frames of the take. Keytimes: right off, right on, left off, left on,
+// right off, each foot landing before the other leaves.
+struct CycleCandidate {
+  std::array<double, 5> keys{};
+  double turn = 0;          // radians about Y from the first pose to the last
+  double loop_error_m = 0;  // gap of the joints, the last pose laid over the first; RMS
+  double velocity_gap = 0;  // m/s, the same of their velocities
+  double score = 0;         // metres; less is better
+
+  double first() const { return keys.front(); }
+  double length() const { return keys.back() - keys.front(); }
+};
+
+struct CycleSearch {
+  std::vector<CycleCandidate> candidates;  // the best first
+  std::string refusal;                     // why there is none
+};
+
+CycleSearch find_cycles(const Take& take, const FootContacts& contacts);
+
+// How poses at two frames differ when the second is turned about Y and moved over
+// the ground onto the first.
+struct PoseGap {
+  double turn = 0;        // radians: by how much the second faces further left
+  double position_m = 0;  // RMS over the body's joints
+  double velocity_m_s = 0;
+};
+PoseGap pose_gap(const Take& take, double frame, double later);
+
+// A take that is one loop already is repeated, so that cycles which run over its
+// end are found. Others come back as they are.
+Take unrolled(const Take& take);
+
+}  // namespace promenade::motion

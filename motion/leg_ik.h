@@ -1,0 +1,26 @@
+// A leg of two bones brought to a wanted place of its ankle.
+#pragma once
+
+#include "motion/body.h"
+
+namespace promenade::motion {
+
+enum class Side { left, right };
+
+struct LegJoints {
+  BodyJoint hip, knee, ankle, toe;
+};
+LegJoints leg_joints(Side side);
+
+// The axis that the knee bends about, positive when the heel comes up, in the frame of
+// the knee's parent: the mean over the poses, which a straight leg cannot turn over.
+Eigen::Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
+                          const std::vector<Pose>& poses);
+
+// Turns hip and knee of `pose` so that the ankle comes to `ankle` (world, metres), or
+// as near as the leg reaches. The knee turns about `axis` only and never beyond
+// straight; the foot keeps its direction in the world.
+void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side,
+                const Eigen::Vector3d& axis, const Eigen::Vector3d& ankle, Pose& pose);
+
+}  // namespace promenade::motion

@@ -1,0 +1,44 @@
+#include "study/outline.h"
+
+#include "study/toml_parse.h"
+
+namespace promenade::study {
+namespace {
+
+const TomlValue* find(const TomlValue& table, std::string_view key) {
+  for (const TomlValue::Entry& entry : table.entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+// The text of the first key that an entry of [[section]] has.
+std::vector<std::string> names_in(const TomlValue& root, std::string_view section,
+                                  const std::vector<std::string_view>& keys) {
+  std::vector<std::string> names;
+  const TomlValue* list = find(root, section);
+  if (!list) return names;
+  for (const TomlValue& entry : list->elements) {
+    for (const std::string_view key : keys) {
+      const TomlValue* name = find(entry, key);
+      if (!name || name->kind != TomlValue::Kind::text) continue;
+      names.push_back(name->text);
+      break;
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+Outline outline_of(std::string_view config_text) {
+  try {
+    const TomlValue root = parse_toml("", config_text);
+    return {names_in(root, "interface", {"name", "type"}), names_in(root, "task", {"name"}),
+            names_in(root, "rating", {"item"})};
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,20 @@
+// The names in a study file, in its order, without judging the rest: for those who
+// have only the text that a database keeps.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace promenade::study {
+
+struct Outline {
+  std::vector<std::string> interfaces;  // [[interface]]: name, else type
+  std::vector<std::string> tasks;       // [[task]]: name
+  std::vector<std::string> ratings;     // [[rating]]: item
+};
+
+// What cannot be read is left out; a text that is no TOML has an empty outline.
+Outline outline_of(std::string_view config_text);
+
+}  // namespace promenade::study

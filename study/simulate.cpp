@@ -1,0 +1,153 @@
+#include "study/simulate.h"
+
+#include <algorithm>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace promenade::study {
+namespace {
+
+constexpr std::int64_t press_to_action_us = 90'000;
+constexpr std::int64_t longest_session_us = 24LL * 3600 * 1'000'000;
+
+bool by_hand(const decltype(Input::action)& action) {
+  return std::holds_alternative<Control>(action) || std::holds_alternative<Done>(action) ||
+         std::holds_alternative<StartOver>(action) || std::holds_alternative<Continue>(action) ||
+         std::holds_alternative<SetAnswer>(action);
+}
+
+// Work that several threads do out of order and one takes in order, never more than
+// a few ahead.
+class Ordered {
+ public:
+  using Work = std::function<std::vector<Record>(int index)>;
+
+  Ordered(int count, int jobs, Work work)
+      : count_(count), ahead_(4 * jobs), work_(std::move(work)) {
+    for (int i = 0; i < jobs; ++i) threads_.emplace_back([this] { run(); });
+  }
+
+  ~Ordered() {
+    {
+      const std::lock_guard lock(mutex_);
+      next_ = count_;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  std::vector<Record> take(int index) {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return error_ || done_.count(index) > 0; });
+    if (error_) std::rethrow_exception(error_);
+    std::vector<Record> records = std::move(done_[index]);
+    done_.erase(index);
+    taken_ = index + 1;
+    changed_.notify_all();
+    return records;
+  }
+
+ private:
+  // The next index, or count_ when there is none left.
+  int claim() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [&] { return next_ >= count_ || next_ < taken_ + ahead_; });
+    return next_ >= count_ ? count_ : next_++;
+  }
+
+  void run() {
+    for (int index = claim(); index < count_; index = claim()) {
+      try {
+        std::vector<Record> records = work_(index);
+        const std::lock_guard lock(mutex_);
+        done_[index] = std::move(records);
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        error_ = std::current_exception();
+      }
+      changed_.notify_all();
+    }
+  }
+
+  int count_;
+  int ahead_;
+  Work work_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  int next_ = 0;
+  int taken_ = 0;
+  std::map<int, std::vector<Record>> done_;
+  std::exception_ptr error_;
+  std::vector<std::thread> threads_;
+};
+
+void store_session(Store& store, const Plan& plan, const Cohort& cohort, const std::string& code,
+                   const std::vector<Record>& records) {
+  SessionHeader header;
+  header.participant = code;
+  header.simulated = true;
+  header.machine = cohort.machine;
+  header.started_utc = utc_now();
+  store.begin_session(header, plan);
+  for (const Record& record : records) store.write(record);
+  store.flush();
+  store.end_session(utc_now());
+}
+
+std::string code_of(int number) {
+  const std::string digits = std::to_string(number);
+  return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+}  // namespace
+
+std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                                     const Plan& plan, std::uint64_t seed) {
+  SimulatedParticipant participant(bundle, registry, seed);
+  Session session(bundle, registry, plan);
+  std::vector<Record> records;
+  Input input;
+  const auto step = [&](std::int64_t wait_us, decltype(Input::action) action) {
+    input.t_us += wait_us;
+    input.action = std::move(action);
+    for (Record& record : session.step(input)) records.push_back(std::move(record));
+  };
+  while (!session.ended()) {
+    Intention intention = participant.next(session);
+    const Page page = session.page();
+    if (!by_hand(intention.action)) {
+      step(intention.wait_us, std::move(intention.action));
+      continue;
+    }
+    step(std::max<std::int64_t>(0, intention.wait_us - press_to_action_us), Press{});
+    // The page may have changed under the hand.
+    const Page& now = session.page();
+    const bool same = now.kind == page.kind && now.trial == page.trial;
+    if (same) step(press_to_action_us, std::move(intention.action));
+    if (input.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
+  }
+  return records;
+}
+
+int simulate_cohort(const StudyBundle& bundle, const InterfaceRegistry& registry, Store& store,
+                    const Cohort& cohort) {
+  const std::vector<int> sequences = store.next_sequences(true, false, cohort.participants);
+  const int first = store.next_simulated_number();
+  const auto plan_of = [&](int index) {
+    return make_plan(bundle.study, sequences[static_cast<std::size_t>(index)]);
+  };
+  Ordered sessions(cohort.participants, std::max(1, cohort.jobs), [&](int index) {
+    const auto number = static_cast<std::uint64_t>(first + index);
+    const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
+    return simulate_session(bundle, registry, plan_of(index), seed);
+  });
+  for (int index = 0; index < cohort.participants; ++index) {
+    store_session(store, plan_of(index), cohort, code_of(first + index), sessions.take(index));
+    if (cohort.progress && !cohort.progress(index + 1)) return index + 1;
+  }
+  return cohort.participants;
+}
+
+}  // namespace promenade::study

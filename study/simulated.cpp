@@ -1,0 +1,164 @@
+#include "study/simulated.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::study {
+namespace {
+
+// Positive, with this mean; sigma is the standard deviation of the logarithm.
+double log_normal(Rng& rng, double mean, double sigma) {
+  return mean * std::exp(sigma * rng.normal() - 0.5 * sigma * sigma);
+}
+
+// The same for everyone: how much a style has of a quality, 0 to 0.8.
+double arbitrary_appeal(const std::string& quality, const std::string& style) {
+  return 0.8 * Rng(0, 0, quality + "\n" + style).uniform();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return !part.empty() && text.find(part) != std::string::npos;
+}
+
+Eigen::VectorXd appeal_of(const Target& target, const motion::MotionSet& set) {
+  Eigen::VectorXd appeal(set.size());
+  const std::string quality = text_in(target.quality, "en");
+  for (int i = 0; i < set.size(); ++i) {
+    const std::string& style = set.cycles[static_cast<std::size_t>(i)].style;
+    const bool named = contains(style, quality) || contains(quality, style);
+    appeal(i) = named ? 1 : arbitrary_appeal(quality, style);
+  }
+  return appeal;
+}
+
+}  // namespace
+
+Person draw_person(Rng& rng) {
+  Person person;
+  person.eye_noise_m = log_normal(rng, 0.008, 0.4);
+  person.imagination_m = log_normal(rng, 0.03, 0.5);
+  person.patience_s = log_normal(rng, 60, 0.4);
+  person.think_s = log_normal(rng, 1.6, 0.35);
+  person.ideas = 3 + static_cast<int>(rng.below(5));
+  person.generosity = 0.1 * rng.normal();
+  return person;
+}
+
+SimulatedParticipant::SimulatedParticipant(const StudyBundle& bundle,
+                                           const InterfaceRegistry& registry, std::uint64_t seed)
+    : bundle_(&bundle),
+      registry_(&registry),
+      rng_(seed, 0, "simulate"),
+      person_(draw_person(rng_)),
+      gram_(bundle.space.offsets.transpose() * bundle.space.offsets) {}
+
+Intention SimulatedParticipant::after(double mean_s, decltype(Input::action) action) {
+  const double seconds = std::max(0.15, log_normal(rng_, mean_s, 0.5));
+  trial_.spent_s += seconds;
+  return {static_cast<std::int64_t>(seconds * 1e6), std::move(action)};
+}
+
+Intention SimulatedParticipant::next(const Session& session) {
+  switch (session.page().kind) {
+    case PageKind::trial:
+      return at_trial(session);
+    case PageKind::rating:
+      return at_rating(session);
+    default:
+      return at_page(session);
+  }
+}
+
+Intention SimulatedParticipant::at_page(const Session& session) {
+  const bool to_read =
+      session.page().kind == PageKind::consent || session.page().kind == PageKind::instructions;
+  return after(to_read ? 12 : 3, Continue{});
+}
+
+Intention SimulatedParticipant::at_rating(const Session& session) {
+  const std::vector<Rating>& ratings = bundle_->study.ratings;
+  for (std::size_t i = 0; i < session.answers().size(); ++i) {
+    if (session.answers()[i]) continue;
+    const double share = 0.25 + 0.55 * trial_.success + person_.generosity + 0.12 * rng_.normal();
+    const double steps = ratings[i].points - 1;
+    const double value = 1 + std::round(steps * std::clamp(share, 0.0, 1.0));
+    return after(2.5, SetAnswer{ratings[i].item, value});
+  }
+  return after(1, Continue{});
+}
+
+void SimulatedParticipant::begin_trial(const Session& session) {
+  const TrialState& state = *session.trial();
+  const PlannedTrial& planned = session.plan().trials[static_cast<std::size_t>(state.index)];
+  const Target& target = target_of(bundle_->study, planned);
+  trial_ = {};
+  trial_.index = state.index;
+  trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
+  if (!target.weights) {
+    trial_.appeal = appeal_of(target, bundle_->space.set);
+    return;
+  }
+  trial_.target = *target.weights;
+  const Eigen::VectorXd away = state.weights - trial_.target;
+  const double length = std::sqrt(std::max(0.0, away.dot(gram_ * away)));
+  trial_.metres_per_offset = length > 0 ? state.d.value_or(0) / length : 0;
+}
+
+double SimulatedParticipant::imagined(const Eigen::VectorXd& weights) const {
+  if (trial_.target.size() == 0) return 1 - weights.dot(trial_.appeal);
+  const Eigen::VectorXd away = weights - trial_.target;
+  return trial_.metres_per_offset * std::sqrt(std::max(0.0, away.dot(gram_ * away)));
+}
+
+double SimulatedParticipant::seen(const TrialState& trial) const {
+  return trial.d ? *trial.d : imagined(trial.weights);
+}
+
+double SimulatedParticipant::unit() const { return trial_.target.size() > 0 ? 1 : 5; }
+
+std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& session,
+                                                            const TrialState& trial) {
+  const PlannedTrial& planned = session.plan().trials[static_cast<std::size_t>(trial.index)];
+  const InterfaceUse& use = bundle_->study.interfaces[static_cast<std::size_t>(planned.interface)];
+  std::vector<ControlInput> ideas = registry_->find(use.type)->simulate(*trial.interface, rng_);
+  rng_.shuffle(ideas);
+  if (ideas.size() > static_cast<std::size_t>(person_.ideas)) {
+    ideas.resize(static_cast<std::size_t>(person_.ideas));
+  }
+  // Only what seems better than what is seen is worth doing, except before the first try.
+  double best =
+      trial.touched ? seen(trial) + person_.eye_noise_m * unit() * rng_.normal() : INFINITY;
+  std::optional<ControlInput> chosen;
+  for (const ControlInput& idea : ideas) {
+    const std::unique_ptr<InterfaceState> next = trial.interface->clone();
+    if (!next->apply(idea)) continue;
+    const double result =
+        imagined(next->weights(trial.started_us)) + person_.imagination_m * unit() * rng_.normal();
+    if (result >= best) continue;
+    best = result;
+    chosen = idea;
+  }
+  return chosen;
+}
+
+Intention SimulatedParticipant::at_trial(const Session& session) {
+  const TrialState& trial = *session.trial();
+  if (trial.index != trial_.index) begin_trial(session);
+  const double first =
+      trial.d ? trial_.metres_per_offset > 0 ? imagined(start_weights(bundle_->space)) : 1 : 1;
+  const double now = seen(trial);
+  trial_.success = std::clamp(1 - now / std::max(first, 1e-9), 0.0, 1.0);
+  if (trial.below_since_us) return {300'000, Tick{}};  // it fits: hands off
+  const bool impatient = trial_.spent_s > trial_.patience_s;
+  // In find tasks what is good enough comes down with the time spent.
+  const double good_enough = 0.25 + 0.5 * trial_.spent_s / trial_.patience_s;
+  const bool found = trial_.appeal.size() > 0 && trial.touched &&
+                     now + person_.eye_noise_m * unit() * rng_.normal() < good_enough;
+  if (impatient || found) return after(person_.think_s, Done{});
+  if (auto idea = best_idea(session, trial)) return after(person_.think_s, Control{*idea});
+  const bool lost = trial.touched && now > 1.5 * first && rng_.below(4) == 0;
+  if (lost) return after(person_.think_s, StartOver{});
+  return after(0.5 * person_.think_s, Tick{});
+}
+
+}  // namespace promenade::study

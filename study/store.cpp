@@ -1,0 +1,262 @@
+#include "study/store.h"
+
+#include <unistd.h>
+
+#include <cassert>
+
+#include "motion/bytes.h"
+#include "study/store_open.h"
+
+namespace promenade::study {
+namespace {
+
+std::string bytes_of(const Eigen::VectorXd& weights) {
+  ByteWriter writer;
+  writer.numbers(weights.data(), static_cast<std::size_t>(weights.size()));
+  return writer.take();
+}
+
+template <typename T>
+void bind_unless_empty(Statement& statement, int index, const T& text) {
+  if (text.empty()) {
+    statement.bind_null(index);
+  } else {
+    statement.bind(index, text);
+  }
+}
+
+}  // namespace
+
+struct Store::Implementation {
+  Implementation(const std::filesystem::path& file, const StudyBundle& study_bundle)
+      : bundle(&study_bundle), database(open_store(file, study_bundle)) {}
+
+  const StudyBundle* bundle;
+  Database database;
+  Statement insert_trial{database,
+                         "INSERT INTO trial(uuid, session, position, block, practice, task, "
+                         "interface, target, limit_s, threshold_m, started_us, d_first) "
+                         "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"};
+  Statement end_trial{database,
+                      "UPDATE trial SET ended_us = ?, outcome = ?, d_best = ?, d_final = ?, "
+                      "d_sum = ?, seconds_difference = ?, first_below_us = ?, clicks = ?, "
+                      "changes = ?, late_frames = ? WHERE uuid = ?"};
+  Statement insert_event{database, "INSERT INTO event VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"};
+  Statement insert_sample{database, "INSERT INTO sample VALUES (?,?,?,?)"};
+  Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?)"};
+
+  // The session that runs.
+  std::string session;
+  Plan plan;
+  std::vector<std::string> trials;  // uuids by index into Plan::trials; empty: not begun
+  std::int64_t seq = 0;
+  bool durable = true;  // a simulated participant can be asked again
+  bool open = false;    // a transaction
+
+  void begin();
+  void commit();
+  void commit_durably();
+  const std::string& trial_uuid(int index) const;
+  void bind_trial(Statement& statement, int column, int trial) const;
+  std::string participant_uuid(const std::string& code);
+
+  void put(const TrialStarted& record);
+  void put(const Event& record);
+  void put(const Sample& record);
+  void put(const Answer& record);
+  void put(const TrialEnded& record);
+  void put(const SessionEnded& record);
+};
+
+void Store::Implementation::begin() {
+  if (open) return;
+  database.exec("BEGIN IMMEDIATE");
+  open = true;
+}
+
+void Store::Implementation::commit() {
+  if (!open) return;
+  database.exec("COMMIT");
+  open = false;
+}
+
+// With FULL, a commit waits until the journal with everything before is on the disk.
+void Store::Implementation::commit_durably() {
+  if (!durable) return commit();
+  commit();
+  database.exec("PRAGMA synchronous = FULL");
+  // A commit without a change would write nothing, and so wait for nothing.
+  database.exec("BEGIN IMMEDIATE; UPDATE session SET process = process WHERE uuid = '" + session +
+                "'; COMMIT");
+  database.exec("PRAGMA synchronous = NORMAL");
+  database.exec("PRAGMA wal_checkpoint(PASSIVE)");
+}
+
+const std::string& Store::Implementation::trial_uuid(int index) const {
+  const std::string& uuid = trials[static_cast<std::size_t>(index)];
+  assert(!uuid.empty() && "a trial is logged after it started");
+  return uuid;
+}
+
+void Store::Implementation::bind_trial(Statement& statement, int column, int trial) const {
+  if (trial < 0) {
+    statement.bind_null(column);
+  } else {
+    statement.bind(column, trial_uuid(trial));
+  }
+}
+
+std::string Store::Implementation::participant_uuid(const std::string& code) {
+  Statement known(database, "SELECT uuid FROM participant WHERE code = ?");
+  if (known.bind(1, code).step()) return known.text(0);
+  const std::string uuid = random_uuid();
+  Statement insert(database, "INSERT INTO participant VALUES (?,?)");
+  insert.bind(1, uuid).bind(2, code).run();
+  return uuid;
+}
+
+void Store::Implementation::put(const TrialStarted& record) {
+  const auto index = static_cast<std::size_t>(record.trial);
+  const Study& study = bundle->study;
+  const PlannedTrial& planned = plan.trials[index];
+  const Task& task = task_of(study, planned);
+  trials[index] = random_uuid();
+  insert_trial.bind(1, trials[index]).bind(2, session).bind(3, planned.position);
+  insert_trial.bind(4, planned.block).bind(5, planned.practice).bind(6, task.name);
+  insert_trial.bind(7, study.interfaces[static_cast<std::size_t>(planned.interface)].name);
+  insert_trial.bind(8, target_of(study, planned).name).bind(9, task.limit_s);
+  insert_trial.bind(10, task.threshold_m).bind(11, record.t_us).bind(12, record.d_first).run();
+}
+
+void Store::Implementation::put(const Event& record) {
+  insert_event.bind(1, session).bind(3, ++seq).bind(4, record.t_us).bind(5, record.uncertainty_us);
+  bind_trial(insert_event, 2, record.trial);
+  if (record.frame_us < 0) {
+    insert_event.bind_null(6);
+  } else {
+    insert_event.bind(6, record.frame_us);
+  }
+  insert_event.bind(7, to_text(record.actor)).bind(8, record.kind);
+  bind_unless_empty(insert_event, 9, record.target);
+  insert_event.bind(10, record.value).bind(11, record.x).bind(12, record.y);
+  bind_unless_empty(insert_event, 13, record.detail);
+  insert_event.run();
+}
+
+void Store::Implementation::put(const Sample& record) {
+  insert_sample.bind(1, trial_uuid(record.trial)).bind(2, record.t_us).bind(3, record.d);
+  insert_sample.bind_blob(4, bytes_of(record.weights)).run();
+}
+
+void Store::Implementation::put(const Answer& record) {
+  insert_answer.bind(1, session).bind(3, record.instrument).bind(4, record.version);
+  bind_trial(insert_answer, 2, record.trial);
+  insert_answer.bind(5, record.item).bind(6, record.value);
+  bind_unless_empty(insert_answer, 7, record.text);
+  insert_answer.bind(8, record.declined).bind(9, record.touched).bind(10, record.t_us).run();
+}
+
+void Store::Implementation::put(const TrialEnded& record) {
+  end_trial.bind(1, record.t_us).bind(2, to_text(record.outcome)).bind(3, record.d_best);
+  end_trial.bind(4, record.d_final).bind(5, record.d_sum).bind(6, record.seconds_difference);
+  end_trial.bind(7, record.first_below_us).bind(8, record.clicks).bind(9, record.changes);
+  end_trial.bind(10, record.late_frames).bind(11, trial_uuid(record.trial)).run();
+  commit_durably();
+}
+
+void Store::Implementation::put(const SessionEnded& record) {
+  Statement end(database, "UPDATE session SET outcome = ? WHERE uuid = ?");
+  end.bind(1, to_text(record.outcome)).bind(2, session).run();
+  commit_durably();
+}
+
+Store::Store(const std::filesystem::path& file, const StudyBundle& bundle)
+    : implementation_(std::make_unique<Implementation>(file, bundle)) {}
+
+Store::~Store() {
+  try {
+    implementation_->commit();
+  } catch (const DatabaseError&) {
+    // What could not be written was reported when it was tried before.
+  }
+}
+
+int Store::next_sequence(bool simulated, bool pilot) {
+  return next_sequences(simulated, pilot, 1).front();
+}
+
+std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
+  Statement used(implementation_->database,
+                 "SELECT DISTINCT sequence FROM session WHERE simulated = ? AND pilot = ? "
+                 "AND outcome IN ('finished', 'running') ORDER BY sequence");
+  used.bind(1, simulated).bind(2, pilot);
+  std::vector<int> free;
+  bool more = used.step();
+  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
+    if (more && used.integer(0) == sequence) {
+      more = used.step();
+    } else {
+      free.push_back(sequence);
+    }
+  }
+  return free;
+}
+
+bool Store::knows_participant(const std::string& code) {
+  Statement known(implementation_->database, "SELECT 1 FROM participant WHERE code = ?");
+  return known.bind(1, code).step();
+}
+
+int Store::next_simulated_number() {
+  Statement last(implementation_->database,
+                 "SELECT max(CAST(substr(code, 2) AS INTEGER)) FROM participant "
+                 "WHERE code GLOB 'S[0-9]*'");
+  last.step();
+  return static_cast<int>(last.integer(0)) + 1;
+}
+
+std::string Store::next_simulated_code() {
+  const std::string digits = std::to_string(next_simulated_number());
+  return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+void Store::begin_session(const SessionHeader& header, const Plan& plan) {
+  Implementation& own = *implementation_;
+  own.session = header.uuid.empty() ? random_uuid() : header.uuid;
+  own.plan = plan;
+  own.trials.assign(plan.trials.size(), "");
+  own.seq = 0;
+  own.durable = !header.simulated;
+  own.begin();
+  const std::string participant = own.participant_uuid(header.participant);
+  Statement study(own.database, "SELECT uuid FROM study WHERE study_sha256 = ?");
+  study.bind(1, own.bundle->sha256).step();
+  Statement insert(own.database,
+                   "INSERT INTO session(uuid, study, participant, station, seed, sequence, "
+                   "language, started_utc, outcome, simulated, pilot, process, machine) "
+                   "VALUES (?,?,?,?,?,?,?,?,'running',?,?,?,?)");
+  insert.bind(1, own.session).bind(2, study.text(0)).bind(3, participant).bind(4, header.station);
+  insert.bind(5, static_cast<std::int64_t>(plan.seed)).bind(6, plan.sequence);
+  insert.bind(7, header.language).bind(8, header.started_utc).bind(9, header.simulated);
+  insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine).run();
+  study.reset();
+  own.commit_durably();
+}
+
+void Store::write(const Record& record) {
+  implementation_->begin();
+  std::visit([this](const auto& one) { implementation_->put(one); }, record);
+}
+
+void Store::flush() { implementation_->commit(); }
+
+void Store::end_session(const std::string& ended_utc) {
+  Implementation& own = *implementation_;
+  own.begin();
+  Statement end(own.database, "UPDATE session SET ended_utc = ?, process = NULL WHERE uuid = ?");
+  end.bind(1, ended_utc).bind(2, own.session).run();
+  own.commit_durably();
+  own.database.exec("PRAGMA wal_checkpoint(TRUNCATE)");
+}
+
+}  // namespace promenade::study

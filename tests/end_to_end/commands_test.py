@@ -1,0 +1,104 @@
+#!/usr/bin/env python3
+"""The commands as their users call them: exit codes, places of errors, nothing left behind."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+PROMENADE = os.environ["PROMENADE"]
+ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", "simulate",
+       "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
+       "model", "graph", "stats"]
+LATER = ["roster", "pack", "prereg", "amend", "withdraw", "monitor", "export", "replay", "merge",
+         "power", "doctor", "graph"]
+
+
+class Commands(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def call(self, *arguments):
+        environment = {k: v for k, v in os.environ.items() if "DISPLAY" not in k}
+        return subprocess.run([PROMENADE, *arguments], cwd=self.folder, text=True,
+                              capture_output=True, timeout=120, env=environment)
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+        return name
+
+    def left_behind(self):
+        return sorted(p.name for p in self.folder.iterdir())
+
+    def test_every_command_explains_itself(self):
+        for command in ALL:
+            result = self.call(command, "--help")
+            self.assertEqual(result.returncode, 0, command)
+            self.assertIn("Usage", result.stdout)
+
+    def test_commands_of_later_versions_say_so(self):
+        for command in LATER:
+            result = self.call(command, "x", "--json")
+            self.assertEqual(result.returncode, 1, command)
+            self.assertEqual(result.stdout, "")
+            self.assertIn("not in this version", result.stderr)
+
+    def test_wrong_options_are_input_errors(self):
+        self.assertEqual(self.call("check").returncode, 2)
+        self.assertEqual(self.call("simulate", "configs/demo.toml", "--participants", "x")
+                         .returncode, 2)
+
+    def test_the_embedded_demo_is_in_order(self):
+        result = self.call("check", "configs/demo.toml")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_a_broken_study_names_every_place_and_leaves_nothing(self):
+        study = self.write("bad.toml", '[study]\nname = "x"\nsett = "builtin:A"\nseed = "one"\n')
+        for command in (["check", study], ["run", study, "--db", "x.db"],
+                        ["simulate", study, "--participants", "2", "--seed", "1", "--db", "x.db"]):
+            result = self.call(*command)
+            self.assertEqual(result.returncode, 2, command)
+            self.assertRegex(result.stderr, r"bad\.toml:3:\d+: error: ")
+            self.assertRegex(result.stderr, r"bad\.toml:4:\d+: error: ")
+            self.assertIn("did you mean", result.stderr)
+        self.assertEqual(self.left_behind(), ["bad.toml"])
+
+    def test_missing_files_are_input_errors(self):
+        for command in (["check", "none.toml"], ["report", "none.db", "--out", "r"],
+                        ["stats", "none.json", "--json"], ["motion", "info", "none.bvh", "--json"],
+                        ["set", "info", "none.set", "--json"],
+                        ["set", "build", "none.toml", "--out", "s"]):
+            result = self.call(*command)
+            self.assertEqual(result.returncode, 2, command)
+            self.assertIn("none", result.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_running_without_a_display_is_refused_before_anything_is_written(self):
+        result = self.call("run", "configs/demo.toml", "--db", "x.db")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("display", result.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_a_broken_capture_gives_place_and_reason(self):
+        capture = self.write("cut.bvh", "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n")
+        result = self.call("motion", "info", capture, "--json")
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"cut\.bvh:\d+(:\d+)?: error: ")
+
+    def test_the_builtin_set_is_described_and_exported(self):
+        info = self.call("set", "info", "builtin:A", "--json")
+        self.assertEqual(info.returncode, 0, info.stderr)
+        cycles = json.loads(info.stdout)["cycles"]
+        self.assertEqual(len(cycles), 10)
+        self.assertEqual(self.call("set", "export", "builtin:A", "--out", "out").returncode, 0)
+        self.assertEqual(sorted(p.stem for p in (self.folder / "out").glob("*.bvh")),
+                         sorted(c["name"] for c in cycles))
+
+
+if __name__ == "__main__":
+    unittest.main()
