@@ -110,7 +110,7 @@ Vector2d pull_back(const Minimap& map, const Vector2d& point) {
   const Vector2d inside = map.examples.col(nearest_column(map.examples, point));
   const double share = share_within<Vector2d>(inside.cwiseQuotient(deviations),
                                               point.cwiseQuotient(deviations), map.point_limit);
-  return inside + share * (point - inside);
+  return share < 1 ? Vector2d(inside + share * (point - inside)) : point;
 }
 
 MapState move(const Minimap& map, MapState state, const MapMove& event,
