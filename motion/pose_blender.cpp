@@ -58,12 +58,10 @@ void exact_exponential(Index lanes, const double* offset, double* rotation) {
 
 // Unit quaternions (lanes x 4) of rotation vectors (3 lanes).
 void exponential(Index lanes, const double* offset, double* rotation) {
-  double largest = 0;
-  for (Index j = 0; j < lanes; ++j) {
-    const double square = offset[j] * offset[j] + offset[lanes + j] * offset[lanes + j] +
-                          offset[2 * lanes + j] * offset[2 * lanes + j];
-    largest = std::max(largest, square);
-  }
+  using Lanes = Eigen::Map<const Eigen::ArrayXd>;
+  const double largest = (Lanes(offset, lanes).square() + Lanes(offset + lanes, lanes).square() +
+                          Lanes(offset + 2 * lanes, lanes).square())
+                             .maxCoeff();
   const double t = 0.25 * largest;
   if (t <= series_sizes[0].reach)
     return series_exponential<series_sizes[0].terms>(lanes, offset, rotation);
@@ -86,10 +84,26 @@ void turn_by(Index lanes, const double* q, double* r) {
   }
 }
 
+constexpr int block_rows = 16;
+
+using Block = Eigen::Matrix<double, block_rows, 1>;  // fits the registers of any x86-64
+
+// Sums of columns, laid out as PoseBank::offsets.
+void mix(Index rows, const VectorXd& weights, const double* offsets, double* result) {
+  for (Index row = 0; row < rows; row += block_rows) {
+    Block sum = Block::Zero();
+    for (Index i = 0; i < weights.size(); ++i, offsets += block_rows) {
+      sum += weights(i) * Eigen::Map<const Block, Eigen::Aligned16>(offsets);
+    }
+    Eigen::Map<Block, Eigen::Aligned16>(result + row) = sum;
+  }
+}
+
 void blend_phase(const PoseBank& bank, const VectorXd& weights, int phase,
                  PoseBlend::Phase& result) {
-  const Index n = bank.size();
-  result.offsets.noalias() = bank.offsets.middleCols(phase * n, n) * weights;
+  if (result.index == phase) return;
+  result.index = phase;
+  mix(3 * bank.lanes, weights, bank.offsets.col(phase).data(), result.offsets.data());
   exponential(bank.lanes, result.offsets.data(), result.rotations.data());
   turn_by(bank.lanes, bank.average.col(4 * phase).data(), result.rotations.data());
 }
@@ -112,7 +126,7 @@ SlerpSeries slerp_series(double s) {
 }
 
 template <int terms>
-void series_slerp(Index lanes, double share, const double* a, double* b) {
+void series_slerp(Index lanes, double share, const double* a, const double* b, double* result) {
   const SlerpSeries from = slerp_series(1 - share);
   const SlerpSeries to = slerp_series(share);
   for (Index j = 0; j < lanes; ++j) {
@@ -126,31 +140,29 @@ void series_slerp(Index lanes, double share, const double* a, double* b) {
       q = q * y + to.a[n];
     }
     q = std::copysign(q, cosine);
-    for (int c = 0; c < 4; ++c) b[c * lanes + j] = p * a[c * lanes + j] + q * b[c * lanes + j];
+    for (int c = 0; c < 4; ++c) {
+      result[c * lanes + j] = p * a[c * lanes + j] + q * b[c * lanes + j];
+    }
   }
 }
 
-void exact_slerp(Index lanes, double share, const double* a, double* b) {
+void exact_slerp(Index lanes, double share, const double* a, const double* b, double* result) {
   for (Index j = 0; j < lanes; ++j) {
     const Quaterniond from(a[3 * lanes + j], a[j], a[lanes + j], a[2 * lanes + j]);
     const Quaterniond to(b[3 * lanes + j], b[j], b[lanes + j], b[2 * lanes + j]);
     const Quaterniond mid = from.slerp(share, to);
-    for (int c = 0; c < 4; ++c) b[c * lanes + j] = mid.coeffs()(c);
+    for (int c = 0; c < 4; ++c) result[c * lanes + j] = mid.coeffs()(c);
   }
 }
 
-// b = slerp(a, b, share) for each lane.
-void slerp(Index lanes, double share, const double* a, double* b) {
-  double least = 1;
-  for (Index j = 0; j < lanes; ++j) {
-    const double cosine = a[j] * b[j] + a[lanes + j] * b[lanes + j] +
-                          a[2 * lanes + j] * b[2 * lanes + j] + a[3 * lanes + j] * b[3 * lanes + j];
-    least = std::min(least, std::abs(cosine));
-  }
+// result = slerp(a, b, share) for each lane.
+void slerp(Index lanes, double share, const double* a, const double* b, double* result) {
+  using Lanes = Eigen::Map<const Eigen::Array<double, Eigen::Dynamic, 4>>;
+  const double least = (Lanes(a, lanes, 4) * Lanes(b, lanes, 4)).rowwise().sum().abs().minCoeff();
   // Each term is less than (1 - cos)/2 of the one before: 1e-14 at these bounds.
-  if (least > 0.9925) return series_slerp<6>(lanes, share, a, b);
-  if (least > 0.9) return series_slerp<slerp_terms>(lanes, share, a, b);
-  exact_slerp(lanes, share, a, b);
+  if (least > 0.9925) return series_slerp<6>(lanes, share, a, b, result);
+  if (least > 0.9) return series_slerp<slerp_terms>(lanes, share, a, b, result);
+  exact_slerp(lanes, share, a, b, result);
 }
 
 // Durations of the phases as shares of the cycle, from the blended keytimes.
@@ -201,15 +213,19 @@ PoseBank make_pose_bank(const MotionSpace& space) {
     cycle.rotations.resize(4, 0);
     cycle.root.resize(3, 0);
   }
-  bank.lanes = (joints + 3) / 4 * 4;
-  bank.offsets = Eigen::MatrixXd::Zero(3 * bank.lanes, set.phases * n);
+  bank.lanes = (joints + block_rows - 1) / block_rows * block_rows;
+  bank.offsets = Eigen::MatrixXd::Zero(3 * bank.lanes * n, set.phases);
   bank.average = Eigen::MatrixXd::Zero(bank.lanes, 4 * set.phases);
   for (int f = 0; f < set.phases; ++f) {
     for (int j = 0; j < joints; ++j) {
       const Index column = static_cast<Index>(f) * joints + j;
       for (int c = 0; c < 4; ++c) bank.average(j, 4 * f + c) = space.average(c, column);
       for (int a = 0; a < 3; ++a) {
-        bank.offsets.block(a * bank.lanes + j, f * n, 1, n) = space.offsets.row(3 * column + a);
+        const Index row = a * bank.lanes + j;
+        const Index first = row / block_rows * block_rows * n + row % block_rows;
+        for (Index i = 0; i < n; ++i) {
+          bank.offsets(first + block_rows * i, f) = space.offsets(3 * column + a, i);
+        }
       }
     }
     bank.average.col(4 * f + 3).tail(bank.lanes - joints).setOnes();
@@ -225,6 +241,7 @@ PoseBlend make_pose_blend(const PoseBank& bank) {
     phase->offsets.resize(3 * bank.lanes);
     phase->rotations.resize(bank.lanes, 4);
   }
+  blend.rotations.resize(bank.lanes, 4);
   blend.root.resize(3, bank.set.phases);
   blend.times.resize(bank.set.phases + 1);
   blend.mixed_root.resize(3 * bank.set.phases);
@@ -236,6 +253,7 @@ PoseBlend make_pose_blend(const PoseBank& bank) {
 void set_weights(const PoseBank& bank, const VectorXd& weights, PoseBlend& blend) {
   assert(weights.size() == bank.size() && "one weight for each cycle");
   blend.weights = weights;
+  blend.before.index = blend.after.index = -1;
   blend_keytimes(bank.set, weights, blend.timing.keytimes);
   blend.timing.seconds = blend.timing.keytimes.back();
   time_phases(bank, blend);
@@ -250,11 +268,13 @@ void pose_at(const PoseBank& bank, PoseBlend& blend, double phase, Pose& pose) {
   const int f = std::min(static_cast<int>(position), phases - 1);
   const int g = (f + 1) % phases;
   const double share = position - f;
+  if (blend.after.index == f) std::swap(blend.before, blend.after);
   blend_phase(bank, blend.weights, f, blend.before);
   blend_phase(bank, blend.weights, g, blend.after);
   const Index lanes = bank.lanes;
-  double* mixed = blend.after.rotations.data();
-  slerp(lanes, share, blend.before.rotations.data(), mixed);
+  const double* mixed = blend.rotations.data();
+  slerp(lanes, share, blend.before.rotations.data(), blend.after.rotations.data(),
+        blend.rotations.data());
   pose.root = (1 - share) * blend.root.col(f) + share * blend.root.col(g);
   pose.rotations.resize(bank.set.skeleton.joints.size());
   for (std::size_t j = 0; j < pose.rotations.size(); ++j) {

@@ -32,10 +32,12 @@ struct PoseBlend {
   Cycle timing;             // keytimes, seconds and mean velocity; no rotations
   Eigen::Matrix3Xd root;    // 3 x F, metres, as Cycle::root
   struct Phase {
+    int index = -1;             // which one; -1: to be made anew
     Eigen::VectorXd offsets;    // 3 lanes
     Eigen::MatrixXd rotations;  // lanes x 4: x, y, z, w
   };
-  Phase before, after;
+  Phase before, after;                // kept while the weights are: a walk makes one at a time
+  Eigen::MatrixXd rotations;          // lanes x 4, between them
   Eigen::VectorXd times, mixed_root;  // F+1, 3 F: scratch
   Pose pose;                          // scratch of distance_points
   WorldPose world;

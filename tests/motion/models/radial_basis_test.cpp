@@ -19,7 +19,8 @@ constexpr Size sizes[] = {{1, 2}, {1, 10}, {4, 10}, {4, 27}, {9, 10}, {12, 10}, 
 TEST(RawWeights, AreTheExampleAtEachExample) {
   for (const Size& size : sizes) {
     SCOPED_TRACE(size.parameters);
-    const MatrixXd p = Random(size.parameters).uniforms(size.parameters, size.examples);
+    const MatrixXd p = Random(static_cast<std::uint64_t>(size.parameters))
+                           .uniforms(size.parameters, size.examples);
     const RadialBasis basis = fit_radial_basis(p);
     for (Index j = 0; j < size.examples; ++j) {
       const VectorXd weights = raw_weights(basis, p.col(j));
