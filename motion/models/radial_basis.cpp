@@ -69,13 +69,11 @@ MatrixXd spline_matrix(const MatrixXd& squares, const VectorXd& radii) {
 // functions overlap less, and at half the distance R is 2/3 of the identity.
 MatrixXd solve_coefficients(const MatrixXd& squares, const MatrixXd& rest, VectorXd& radii) {
   const VectorXd widest = radii;
-  for (const double width : {1.0, 0.9, 0.8, 0.7, 0.6}) {
+  for (double width = 1;; width -= 0.1) {
     radii = width * widest;
     const Eigen::PartialPivLU<MatrixXd> lu(spline_matrix(squares, radii));
-    if (lu.rcond() > 1e-8) return lu.solve(rest);
+    if (lu.rcond() > 1e-8 || width < 0.55) return lu.solve(rest);
   }
-  radii = 0.5 * widest;
-  return 1.5 * rest;
 }
 
 RadialBasis uniform_weights(Index n, Index m) {
