@@ -23,13 +23,22 @@ std::string slug(const std::string& name) {
   return result.substr(0, 40);
 }
 
-// The line at the limit or threshold of a task; nothing: none.
+double largest_value(const std::vector<const Summary*>& summaries) {
+  double largest = 0;
+  for (const Summary* summary : summaries) {
+    for (const auto& value : summary->values) largest = std::max(largest, value.value_or(0));
+  }
+  return largest;
+}
+
+// The line at the limit or threshold of a task, where it would not squeeze the dots;
+// nothing: none.
 std::optional<double> reference(const Results& results, const Figure& figure) {
   const Task& task = item(results.data.tasks, figure.task);
   const std::string& measure = item(results.data.measures, figure.measure).name;
-  if (measure == "time_s") return task.limit_s;
-  if (measure == "d_final" || measure == "d_best") return task.threshold_m;
-  return std::nullopt;
+  const auto line = measure == "time_s" ? task.limit_s : task.threshold_m;
+  const double largest = largest_value(results.summaries_of(figure.measure, figure.task));
+  return line && *line <= 1.5 * largest ? line : std::nullopt;
 }
 
 std::string caption_of(const Results& results, const Figure& figure) {
@@ -76,26 +85,47 @@ std::string median_data(const std::vector<const Summary*>& summaries, const Meas
   return data + "EOD\n";
 }
 
+// In centimetres; the height is 7.5.
+double width_of(const std::vector<const Summary*>& summaries) {
+  return 9.0 + 1.5 * std::max(0, size_of(summaries) - 3);
+}
+
+// Names longer than this would leave the picture.
+std::string shortened(const std::string& name) {
+  constexpr std::size_t most = 24;  // letters, not bytes
+  std::string result;
+  std::size_t letters = 0;
+  for (const char byte : name) {
+    const bool begins = (static_cast<unsigned char>(byte) & 0xc0u) != 0x80u;
+    if (begins && ++letters == most) return result + "…";
+    result += byte;
+  }
+  return result;
+}
+
 std::string axes(const Results& results, const std::vector<const Summary*>& summaries,
-                 const Measure& measure) {
+                 const Measure& measure, double top) {
+  // Names that do not fit side by side are turned.
   std::string ticks;
   std::size_t longest = 0;
   for (std::size_t i = 0; i < summaries.size(); ++i) {
-    const std::string& name = item(results.data.interfaces, summaries[i]->interface);
+    const std::string name = shortened(item(results.data.interfaces, summaries[i]->interface));
     longest = std::max(longest, name.size());
     ticks += fmt::format("{}{} {}", i > 0 ? ", " : "", gnuplot_text(name), i + 1);
   }
-  const bool crowded = (longest + 2) * summaries.size() > 54;  // letters that fit side by side
+  const double room = 6 * width_of(summaries);  // letters that fit side by side
+  const bool crowded = static_cast<double>((longest + 2) * summaries.size()) > room;
   return fmt::format(
-      "set xrange [0.5:{}]\nset yrange [0:*]\nset offsets 0, 0, graph 0.04, 0\n"
-      "set xtics ({}) scale 0{}\nset ytics nomirror\nset ylabel {}\n",
-      static_cast<double>(summaries.size()) + 0.6, ticks, crowded ? " rotate by -25" : "",
+      "set xrange [0.5:{}]\nset yrange [0:{}]\n"
+      "set xtics ({}) scale 0{}\nset bmargin {}\nset ytics nomirror\nset ylabel {}\n",
+      static_cast<double>(summaries.size()) + 0.6, top > 0 ? top * 1.06 : 1.0, ticks,
+      crowded ? " rotate by -25" : "", crowded ? 2 + longest / 5 : 3,
       gnuplot_text(heading(measure)));
 }
 
 constexpr const char* style =
     "set encoding utf8\nset border 3 lc rgb '#444444'\nset key off\n"
-    "set grid ytics lc rgb '#dddddd' lw 1\nset rmargin 2\nset bmargin 3\n";
+    "set grid ytics lc rgb '#dddddd' lw 1\nset rmargin 6\n";
 
 constexpr const char* plot =
     "plot $people using 1:2 with lines lc rgb '#bbbbbb' lw 1, \\\n"
@@ -126,15 +156,16 @@ std::string script_of(const Results& results, const Figure& figure) {
   const Measure& measure = item(results.data.measures, figure.measure);
   const auto summaries = results.summaries_of(figure.measure, figure.task);
   const auto line = reference(results, figure);
-  std::string body = style + axes(results, summaries, measure) + people_data(summaries, measure) +
-                     median_data(summaries, measure);
+  const double top = std::max(largest_value(summaries), line.value_or(0)) * measure.scale;
+  std::string body = style + axes(results, summaries, measure, top) +
+                     people_data(summaries, measure) + median_data(summaries, measure);
   if (line) {
     body += fmt::format(
         "set arrow 1 from graph 0, first {0} to graph 1, first {0} nohead dt 2 lw 1.2 lc rgb "
         "'#444444'\n",
         *line * measure.scale);
   }
-  const double width = 9.0 + 1.5 * std::max(0, size_of(summaries) - 3);  // cm
+  const double width = width_of(summaries);
   return fmt::format(
       "{0}set terminal svg size {1:.0f},{2:.0f} font 'Noto Sans,13' noenhanced background "
       "'#ffffff'\nset output '{3}.svg'\n{4}\nset output\n"

@@ -42,15 +42,18 @@ std::string opening(std::string_view name, const Attributes& attributes) {
 }
 
 Html row_of(const HtmlTable& table, std::size_t row) {
+  // A heading that stands above already is not repeated.
+  const bool same = row > 0 && table.heads > 1 && table.rows[row][0] == table.rows[row - 1][0];
   Html cells;
   for (std::size_t column = 0; column < table.rows[row].size(); ++column) {
     const bool head = static_cast<int>(column) < table.heads;
     const Attributes scope = head ? Attributes{{"scope", "row"}} : Attributes{};
-    cells += element(head ? "th" : "td", scope, text(table.rows[row][column]));
+    const bool quiet = column == 0 && same;
+    cells += element(head ? "th" : "td", scope, text(quiet ? "" : table.rows[row][column]));
   }
   const bool strong = row < table.strong.size() && table.strong[row];
-  return element("tr", strong ? Attributes{{"class", "strong"}} : Attributes{}, cells) +
-         trusted("\n");
+  const std::string look = std::string(strong ? "strong" : "") + (same ? "" : " group");
+  return element("tr", {{"class", look}}, cells) + trusted("\n");
 }
 
 }  // namespace
@@ -75,8 +78,10 @@ Html empty_element(std::string_view name, const Attributes& attributes) {
 
 Html render(const HtmlTable& table) {
   Html head;
-  for (const std::string& column : table.columns) {
-    head += element("th", {{"scope", "col"}}, text(column));
+  for (std::size_t column = 0; column < table.columns.size(); ++column) {
+    const bool left = static_cast<int>(column) < table.heads;
+    head += element("th", {{"scope", "col"}, {"class", left ? "left" : "right"}},
+                    text(table.columns[column]));
   }
   Html body;
   for (std::size_t row = 0; row < table.rows.size(); ++row) body += row_of(table, row);

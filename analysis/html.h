@@ -27,7 +27,8 @@ Html element(std::string_view name, const Html& content);
 Html element(std::string_view name, std::string_view plain);
 Html empty_element(std::string_view name, const Attributes& attributes);  // <img ...>, SVG shapes
 
-// Rows of escaped text; the first `heads` columns are row headings.
+// Rows of escaped text; the first `heads` columns are row headings. Where there are
+// several, rows with the same first one make a group.
 struct HtmlTable {
   std::string caption;
   std::vector<std::string> columns;

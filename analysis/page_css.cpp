@@ -12,7 +12,8 @@ main { max-width: 1280px; margin: 0 auto; padding: 28px 40px 60px; }
 .stripe { background: #e8780c; color: #000; padding: 10px 40px; font-size: 18px;
   font-weight: 700; print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .study { margin: 0 0 6px; color: var(--quiet); }
-h1 { font-size: 28px; line-height: 1.28; font-weight: 600; margin: 0 0 10px; max-width: 62ch; }
+h1 { font-size: 28px; line-height: 1.28; font-weight: 600; margin: 0 0 10px; max-width: 62ch;
+  text-wrap: balance; }
 h2 { font-size: 22px; margin: 44px 0 8px; border-bottom: 2px solid var(--ink); padding-bottom: 4px; }
 h3 { font-size: 17px; margin: 0 0 10px; }
 p { max-width: 82ch; }
@@ -70,8 +71,8 @@ table { border-collapse: collapse; font-size: 14.5px; }
 .wide th[scope=row] { text-align: left; font-weight: 400; white-space: normal;
   overflow-wrap: anywhere; min-width: 5.5em; }
 .wide thead th { border-bottom: 1px solid var(--ink); vertical-align: bottom; white-space: normal; }
-.wide thead th:first-child { text-align: left; }
-.wide tbody tr:nth-child(even) { background: #f6f7f8; }
+.wide th.left { text-align: left; }
+.wide tr.group td, .wide tr.group th { border-top: 1px solid var(--line); }
 .wide tr.strong td, .wide tr.strong th { font-weight: 700; }
 .text th, .text td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f4f5f6; padding: 10px 14px;
@@ -81,18 +82,22 @@ code { font-size: 14px; overflow-wrap: anywhere; }
 @media (max-width: 900px) { .panel { grid-template-columns: 1fr; } main { padding: 20px; } }
 @page { size: A4; margin: 15mm 13mm; }
 @media print {
-  body { font-size: 10.5pt; }
+  body { font-size: 10pt; }
   main { padding: 0; max-width: none; }
-  .stripe { padding: 6px 10px; font-size: 12pt; }
-  h1 { font-size: 17pt; } .second { font-size: 12pt; } h2 { font-size: 14pt; }
-  .panel { gap: 18px; break-inside: avoid; grid-template-columns: minmax(0, 1.5fr) minmax(0, 1fr); }
-  .strip { grid-template-columns: 112px minmax(0, 1fr); gap: 8px; }
-  .wide { overflow: visible; } table { font-size: 8.2pt; }
-  .wide th, .wide td { padding: 2px 4px; }
-  .triangle td, .triangle th, .triangle td span, .strip small { font-size: 8.5pt; }
+  .stripe { padding: 5px 10px; font-size: 11pt; margin-bottom: 8px; }
+  h1 { font-size: 16pt; } .second { font-size: 11pt; } h2 { font-size: 13pt; margin-top: 26px; }
+  h3 { font-size: 9.5pt; margin-bottom: 5px; } .note { font-size: 8pt; margin: 6px 0; }
+  .flow { margin: 12px 0 14px; } .flow ul, figcaption, caption { font-size: 8.5pt; }
+  .panel { gap: 16px; break-inside: avoid; margin-bottom: 14px;
+    grid-template-columns: minmax(0, 1.25fr) minmax(0, 1fr); }
+  .strip { grid-template-columns: 118px minmax(0, 1fr); gap: 6px; font-size: 9pt; }
+  .strip small { font-size: 7.5pt; }
+  .wide { overflow: visible; margin: 12px 0 20px; } table { font-size: 8pt; }
+  .wide th, .wide td { padding: 1.5px 4px; }
+  .triangle td, .triangle th, .triangle td span { font-size: 7.5pt; padding: 3px 1px; }
   tr, figure, .flow { break-inside: avoid; } h2, caption { break-after: avoid; }
   thead { display: table-header-group; }
-  figure { flex-basis: 46%; } .buttons { display: none; }
+  figure { flex: 0 0 47%; } .buttons { display: none; }
 }
 )css";
 }

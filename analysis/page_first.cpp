@@ -194,6 +194,24 @@ Html panel(const Results& results, const Spotlight& spot) {
                      element("div", right));
 }
 
+// Keeps numbers together with what they belong to.
+std::string unbroken(const std::string& sentence) {
+  std::string result;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    const auto around = [&](int away) {
+      const auto at = i + static_cast<std::size_t>(away);  // wraps around below 0
+      return at < sentence.size() ? sentence[at] : ' ';
+    };
+    const bool digit_before = around(-1) >= '0' && around(-1) <= '9';
+    const bool letter_after = around(1) >= 'a' && around(1) <= 'z';
+    const bool joins = around(-1) == '=' || around(-1) == '%' || around(-1) == '<' ||
+                       around(1) == '=' || around(1) == '<' || around(1) == '%' ||
+                       (digit_before && letter_after);
+    result += sentence[i] == ' ' && joins ? "\u00a0" : std::string(1, sentence[i]);
+  }
+  return result;
+}
+
 Html link(const std::string& address, const std::string& label) {
   return element("a", {{"href", address}}, text(label));
 }
@@ -231,7 +249,7 @@ Html headline(const Results& results) {
                       text(fmt::format("{}, version {}", results.log.study, results.log.version)));
   bool first = true;
   for (const Spotlight& spot : spotlights(results)) {
-    const std::string sentence = sentence_on_measure(results, spot.measure, spot.task);
+    const std::string sentence = unbroken(sentence_on_measure(results, spot.measure, spot.task));
     html += first ? element("h1", sentence) : element("p", {{"class", "second"}}, text(sentence));
     first = false;
   }

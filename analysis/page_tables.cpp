@@ -1,6 +1,8 @@
 // Figures, and the tables that a paper would print.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/page_parts.h"
@@ -18,9 +20,7 @@ std::string p_cell(const std::optional<double>& p) {
 }
 
 // W can end in one half.
-std::string rank_sum(double w) {
-  return fixed(w, w == static_cast<double>(static_cast<long long>(w)) ? 0 : 1);
-}
+std::string rank_sum(double w) { return fixed(w, w == std::floor(w) ? 0 : 1); }
 
 std::string difference(const Measure& measure, const Comparison& one) {
   if (!one.hl) return dash;
@@ -36,17 +36,19 @@ const std::vector<std::string>& test_columns() {
   return columns;
 }
 
+// One difference tests nothing; a handful have an exact p, but no normal one.
 std::vector<std::string> test_cells(const Dataset& data, const Comparison& one) {
   const SignedRankTest& test = one.test;
-  const bool any = test.n > 0;
+  const int differing = test.n - test.n_zero;
+  const bool testable = test.n > 1;
   return {std::to_string(test.n),
           std::to_string(test.n_zero),
           rank_sum(test.w_plus),
           rank_sum(test.w_minus),
-          any && test.exact ? p_cell(test.exact->two) : dash,
-          p_cell(one.p_holm),
-          test.normal ? p_cell(test.normal->two) : dash,
-          test.rank_biserial ? fixed(*test.rank_biserial, 2) : dash,
+          testable && test.exact ? p_cell(test.exact->two) : dash,
+          testable ? p_cell(one.p_holm) : dash,
+          differing >= 6 ? p_cell(test.normal->two) : dash,
+          testable && test.rank_biserial ? fixed(*test.rank_biserial, 2) : dash,
           difference(item(data.measures, one.measure), one)};
 }
 

@@ -46,6 +46,22 @@ double smallest_p(const Comparison& comparison) {
   return std::min(1.0, std::ldexp(1.0, 1 - n));
 }
 
+// Where no outcome could have been significant.
+std::string too_few(const SignedRankTest& test, const Measure& measure, const std::string& a,
+                    const std::string& b) {
+  const int differing = test.n - test.n_zero;
+  if (test.n == 1) {
+    return fmt::format("One participant is too few to compare {} with {}.", a, b);
+  }
+  if (test.n_zero == 0) {
+    return fmt::format("{} participants are too few to compare {} with {}.", test.n, a, b);
+  }
+  return fmt::format(
+      "Only {} of {} participants had a different {} with {} than with {}: too few "
+      "for a test.",
+      differing, test.n, measure.label, a, b);
+}
+
 std::string only_interface(const Results& results, int measure, int task) {
   const auto summaries = results.summaries_of(measure, task);
   if (summaries.empty()) return "There are no values.";
@@ -62,11 +78,17 @@ std::string only_interface(const Results& results, int measure, int task) {
   return text + ".";
 }
 
+// Which pair to speak of: one that differs before one that does not, then the larger
+// difference.
 bool stronger(const Comparison* a, const Comparison* b) {
-  if (a->p_holm.has_value() != b->p_holm.has_value()) return a->p_holm.has_value();
-  if (!a->p_holm) return false;
-  if (*a->p_holm != *b->p_holm) return *a->p_holm < *b->p_holm;
-  return *a->p < *b->p;
+  if (is_significant(*a) != is_significant(*b)) return is_significant(*a);
+  return std::abs(a->hl.value_or(0)) > std::abs(b->hl.value_or(0));
+}
+
+std::string how_many_differ(const std::vector<const Comparison*>& pairs) {
+  const auto count = std::count_if(pairs.begin(), pairs.end(),
+                                   [](const Comparison* pair) { return is_significant(*pair); });
+  return fmt::format(" {} of {} pairs differ.", count, pairs.size());
 }
 
 }  // namespace
@@ -93,12 +115,9 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
   const double sign = a_lower ? -1 : 1;
   const double amount = std::abs(*comparison.hl);
   if (smallest_p(comparison) >= significance) {
-    return fmt::format(
-        "{} {} too few to compare {} with {}: the smallest p that could come out is {}. The "
-        "difference in {} was {} (a − b).",
-        test.n - test.n_zero, test.n - test.n_zero == 1 ? "difference is" : "differences are", a, b,
-        p_text(smallest_p(comparison)).substr(2), measure.label,
-        with_unit(measure, *comparison.hl));
+    return too_few(test, measure, a, b) + fmt::format(" {} was {} lower with {}.",
+                                                      capitalised(measure.label),
+                                                      with_unit(measure, amount), a_lower ? a : b);
   }
   if (!is_significant(comparison)) {
     return fmt::format("No difference in {} between {} and {} could be shown: {} − {} = {} {}.",
@@ -113,8 +132,9 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
 std::string sentence_on_measure(const Results& results, int measure, int task) {
   const auto pairs = results.pairs(measure, task);
   if (pairs.empty()) return only_interface(results, measure, task);
-  return sentence_on(results.data, **std::min_element(pairs.begin(), pairs.end(), stronger),
-                     size_of(pairs));
+  const Comparison& pair = **std::min_element(pairs.begin(), pairs.end(), stronger);
+  return sentence_on(results.data, pair, size_of(pairs)) +
+         (is_significant(pair) && pairs.size() > 1 ? how_many_differ(pairs) : "");
 }
 
 std::vector<Spotlight> spotlights(const Results& results) {
@@ -134,7 +154,7 @@ std::vector<std::string> caveats(const Results& results) {
   std::vector<std::string> sentences;
   const Selection& selection = results.selection;
   const int n = selection.count(Fate::analysed);
-  if (n == 1) sentences.push_back("One person was analysed: nothing here speaks for others.");
+  if (n == 1) sentences.emplace_back("One person was analysed: nothing here speaks for others.");
   if (n > 1 && n < 6) {
     sentences.push_back(fmt::format(
         "With {} people no two-sided signed-rank test can reach p < .05 and no 95 % interval "

@@ -18,8 +18,8 @@ bool is_significant(const Comparison& comparison);
 // pairs: how many were tested together.
 std::string sentence_on(const Dataset& data, const Comparison& comparison, int pairs);
 
-// On one measure in one task: the pair with the smallest adjusted p, or, without a
-// pair, the values of the only interface.
+// On one measure in one task: the pair with the largest difference among those that
+// differ significantly (else among all), or the values of the only interface.
 std::string sentence_on_measure(const Results& results, int measure, int task);
 
 // Where the first page looks: D and time of the first task that has them.

@@ -11,15 +11,16 @@ std::size_t character_length(std::string_view text, std::size_t at) {
 
 bool is_wide(std::string_view character) { return character.size() >= 3 && character[0] != '\xE2'; }
 
+bool is_one_of(std::string_view set, std::string_view character) {
+  const std::size_t at = character.size() == 3 ? set.find(character) : std::string_view::npos;
+  return at != std::string_view::npos && at % 3 == 0;  // each has three bytes
+}
+
 // Characters that no line begins with, and those that none ends with.
 bool closes(std::string_view character) {
-  constexpr std::string_view closing = "、。）」』！？：・ーゃゅょっャュョッ";
-  return character.size() == 3 && closing.find(character) % 3 == 0;
+  return is_one_of("、。）」』！？：・ーゃゅょっャュョッ", character);
 }
-bool opens(std::string_view character) {
-  constexpr std::string_view opening = "（「『";
-  return character.size() == 3 && opening.find(character) % 3 == 0;
-}
+bool opens(std::string_view character) { return is_one_of("（「『", character); }
 
 // The first place after `from` where a line may end.
 std::size_t next_break(std::string_view text, std::size_t from) {

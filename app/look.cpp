@@ -26,6 +26,10 @@ ImFont* add_font(ImFontAtlas& atlas, const char* latin, float pixels, const ImWc
   return font;
 }
 
+ImVec4 vec(const Rgb& colour) { return {colour.x(), colour.y(), colour.z(), 1}; }
+
+}  // namespace
+
 void require_fonts() {
   for (const char* file : {latin_file, latin_bold_file, japanese_file}) {
     if (std::filesystem::exists(file)) continue;
@@ -34,10 +38,6 @@ void require_fonts() {
                        "fonts-ipafont-gothic");
   }
 }
-
-ImVec4 vec(const Rgb& colour) { return {colour.x(), colour.y(), colour.z(), 1}; }
-
-}  // namespace
 
 Rgb rgb(unsigned int hex) {
   return Rgb(static_cast<float>(hex >> 16 & 255), static_cast<float>(hex >> 8 & 255),

@@ -47,6 +47,9 @@ struct Look {
   float scale = 1;  // of everything, from 1280 x 720
 };
 
+// Throws OutsideError when the fonts are not installed.
+void require_fonts();
+
 // Loads the fonts at `scale` into the atlas, with the characters of `words` and
 // those of Latin. Throws OutsideError when the fonts are not installed. Builds the
 // atlas, so that tests need no graphics card.

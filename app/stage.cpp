@@ -6,7 +6,7 @@ namespace promenade::app {
 namespace {
 
 constexpr float figure_pixels = 400;  // at 1280 x 720
-constexpr float foot_height = 518;    // from the top of the picture
+constexpr float foot_height = 540;    // from the top of the picture
 
 void turn(std::vector<Part>& parts, float yaw) {
   const Eigen::Matrix3f rotation =
@@ -70,7 +70,8 @@ void Stage::draw(FigureRenderer& renderer, const Layout& layout, const Palette& 
                          {.ring = target ? palette.target : palette.created,
                           .dashed = target,
                           .travel = figure.travel,
-                          .yaw = start_yaw + orbit_.yaw},
+                          .yaw = start_yaw + orbit_.yaw,
+                          .stroke = layout.scale},
                          figure.shadow);
   }
   for (const Role role : {Role::target, Role::created}) {
@@ -84,7 +85,7 @@ void Stage::draw(FigureRenderer& renderer, const Layout& layout, const Palette& 
 
 Eigen::Vector2f Stage::plate(const Layout& layout, Role role) const {
   const Box box = spot(layout, role);
-  return {box.middle_x(), layout.top + layout.size(foot_height + 90)};
+  return {box.middle_x(), layout.top + layout.size(foot_height + 84)};
 }
 
 }  // namespace promenade::app

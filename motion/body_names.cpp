@@ -67,7 +67,7 @@ PlainName plain(std::string_view name) {
   return result;
 }
 
-// The part of a limb on the left; `side_known` tells a hip joint from the hips.
+// The part of a limb, as if on the left.
 std::optional<BodyJoint> limb_part(std::string_view word) {
   if (is_one_of(word, {"upleg", "upperleg", "thigh", "femur", "hip"})) return left_hip;
   if (is_one_of(word,
@@ -77,8 +77,8 @@ std::optional<BodyJoint> limb_part(std::string_view word) {
   if (is_one_of(word, {"foot", "ankle"})) return left_ankle;
   if (is_one_of(word, {"toe", "toes", "toebase", "ball", "balltoe", "foottoe"})) return left_toe;
   if (is_one_of(word, {"collar", "clavicle", "collarbone"})) return left_clavicle;
-  if (is_one_of(word, {"upperarm", "uparm", "arm", "humerus"})) return left_shoulder;
-  if (is_one_of(word, {"forearm", "lowerarm", "loarm", "lowarm", "radius", "elbow"})) {
+  if (is_one_of(word, {"upperarm", "uparm", "uarm", "arm", "humerus"})) return left_shoulder;
+  if (is_one_of(word, {"forearm", "farm", "lowerarm", "loarm", "lowarm", "radius", "elbow"})) {
     return left_elbow;
   }
   if (is_one_of(word, {"hand", "wrist"})) return left_wrist;

@@ -151,6 +151,7 @@ Cycle cut_cycle(const MotionSet& set, const Take& take, const CycleCandidate& ca
   Cycle cycle = canonical_cycle(set, keytimes_of(candidate, take.frame_time), pose);
   cycle.source = take.source;
   cycle.first_frame = static_cast<int>(std::lround(candidate.first()));
+  if (take.period > 0) cycle.first_frame %= take.period;
   cycle.frames = static_cast<int>(std::lround(candidate.length()));
   cycle.loop_error_m = candidate.loop_error_m;
   return cycle;

@@ -10,6 +10,7 @@ using Eigen::Vector3d;
 using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
 constexpr double velocity_seconds = 0.08;  // what a gap in velocity weighs against one in position
+constexpr double least_overlap = 0.025;    // both feet on the ground, share of the cycle
 constexpr double most_turn = 0.45;         // radians in one cycle
 
 Body body_velocity(const Take& take, double frame) {
@@ -78,9 +79,11 @@ std::optional<CycleCandidate> candidate_at(const Take& take, const FootContacts&
   if (!left || !left_before || left == left_before) return std::nullopt;
   CycleCandidate cycle;
   cycle.keys = {first.off, second.on, left_before->off, left->on, second.off};
-  const double least = 0.025 * cycle.length();
+  const double least = least_overlap * cycle.length();
   make_overlap(cycle.keys[1], cycle.keys[2], least);
   make_overlap(cycle.keys[3], cycle.keys[4], least);
+  // What moved the end moves the start: the length stays that of the steps.
+  cycle.keys[0] += cycle.keys[4] - second.off;
   if (!ascending(cycle.keys)) return std::nullopt;
   return cycle;
 }
@@ -93,7 +96,7 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
   double best = INFINITY;
   for (int step = -8; step <= 8; ++step) {
     const double end = detected + reach * step / 8;
-    if (end > take.frames() - 1.0 || end <= cycle.keys[3] + 0.02 * cycle.length()) continue;
+    if (end > take.frames() - 1.0) continue;
     const PoseGap gap = pose_gap(take, cycle.keys.front(), end);
     const double score = std::hypot(gap.position_m, velocity_seconds * gap.velocity_m_s);
     if (score >= best) continue;
@@ -103,6 +106,7 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
     cycle.loop_error_m = gap.position_m;
     cycle.velocity_gap = gap.velocity_m_s;
   }
+  cycle.keys[3] = std::min(cycle.keys[3], cycle.keys.back() - least_overlap * cycle.length());
   cycle.score = best + 0.1 * std::abs(cycle.turn);
 }
 
@@ -165,6 +169,7 @@ Take unrolled(const Take& take) {
   const Vector3d travel = take.poses.back().root - take.poses.front().root;
   if (gap.position_m > 0.02 || std::abs(gap.turn) > 0.1) return take;
   Take longer = take;
+  longer.period = take.frames() - 1;
   for (int turn = 1; turn <= 2; ++turn) {
     for (int f = 1; f < take.frames(); ++f) {
       Pose pose = take.poses[static_cast<std::size_t>(f)];

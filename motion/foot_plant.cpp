@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "motion/canonical.h"
+#include "motion/rotation.h"
 
 namespace promenade::motion {
 namespace {
@@ -62,6 +62,10 @@ Walk make_walk(const MotionSet& set, const Cycle& cycle) {
   return walk;
 }
 
+Vector3d at(const Walk& walk, std::size_t f, BodyJoint part) {
+  return walk.worlds[f].positions.col(walk.set.body.joint[part]);
+}
+
 // The phase at which the foot changes from standing by its ankle to standing by its
 // toe: where both together have moved least.
 int heel_off(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
@@ -98,13 +102,38 @@ Eigen::Matrix2Xd stance_shift(const Walk& walk, const StancePhases& stance, cons
   return shift;
 }
 
-// From one stance to the next: the shift goes over smoothly, and its velocity at either
+// What is changed of a foot: rows 0 and 1 move it over the ground (left, ahead; metres),
+// rows 2 to 4 turn it about its toe (a rotation vector in the world, radians).
+using FootChange = Eigen::Matrix<double, 5, 1>;
+using FootChanges = Eigen::Matrix<double, 5, Eigen::Dynamic>;
+
+// A foot whose toe is held back while the ankle goes on comes up a little more: it turns
+// about the toe towards where its ankle was, the more the nearer it is to leaving.
+FootChanges stance_changes(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
+  const Eigen::Matrix2Xd shift = stance_shift(walk, stance, leg);
+  FootChanges changes = FootChanges::Zero(5, shift.cols());
+  changes.topRows<2>() = shift;
+  const double middle = 0.5 * (walk.time(stance.on) + walk.time(stance.off));
+  const double start = std::max(middle, walk.time(heel_off(walk, stance, leg)));
+  for (int f = stance.on; f <= stance.off; ++f) {
+    const double x = (walk.time(f) - start) / std::max(walk.time(stance.off) - start, 1e-9);
+    if (x <= 0) continue;
+    const Vector3d foot = at(walk, walk.wrapped(f), leg.ankle) - at(walk, walk.wrapped(f), leg.toe);
+    const Vector2d moved = shift.col(f - stance.on);
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(foot, foot - Vector3d(moved.x(), 0, moved.y()));
+    changes.col(f - stance.on).tail<3>() = x * x * (3 - 2 * x) * log_of(turn);
+  }
+  return changes;
+}
+
+// From one stance to the next: the change goes over smoothly, and its velocity at either
 // end dies away.
 struct Fade {
   double seconds;
-  Vector2d from, to, leaving, arriving;  // metres, metres per second
+  FootChange from, to, leaving, arriving;  // the last two per second
 
-  Vector2d at(double t) const {
+  FootChange at(double t) const {
     const double x = t / seconds;
     const double eased = x * x * (3 - 2 * x);
     const double reach = std::min(fade_seconds, 0.5 * seconds);
@@ -116,10 +145,10 @@ struct Fade {
   }
 };
 
-// 2 x F: the shift of one ankle over the whole cycle.
-Eigen::Matrix2Xd ankle_shift(const Walk& walk, Side side) {
+// 5 x F: the change of one foot over the whole cycle.
+FootChanges foot_changes(const Walk& walk, Side side) {
   const StancePhases stance = stance_phases(walk.set, side);
-  const Eigen::Matrix2Xd stood = stance_shift(walk, stance, leg_joints(side));
+  const FootChanges stood = stance_changes(walk, stance, leg_joints(side));
   const Eigen::Index last = stood.cols() - 1;
   const int next_on = stance.on + walk.phases();
   Fade fade;
@@ -129,17 +158,22 @@ Eigen::Matrix2Xd ankle_shift(const Walk& walk, Side side) {
   fade.leaving =
       (stood.col(last) - stood.col(last - 1)) / (walk.time(stance.off) - walk.time(stance.off - 1));
   fade.arriving = (stood.col(1) - stood.col(0)) / (walk.time(stance.on + 1) - walk.time(stance.on));
-  Eigen::Matrix2Xd shift(2, walk.phases());
+  FootChanges changes(5, walk.phases());
   for (int f = stance.on; f < next_on; ++f) {
-    shift.col(static_cast<Eigen::Index>(walk.wrapped(f))) =
-        f <= stance.off ? Vector2d(stood.col(f - stance.on))
+    changes.col(static_cast<Eigen::Index>(walk.wrapped(f))) =
+        f <= stance.off ? FootChange(stood.col(f - stance.on))
                         : fade.at(walk.time(f) - walk.time(stance.off));
   }
-  return shift;
+  return changes;
 }
 
-Vector3d at(const Walk& walk, std::size_t f, BodyJoint part) {
-  return walk.worlds[f].positions.col(walk.set.body.joint[part]);
+FootTarget target_of(const Walk& walk, std::size_t f, Side side, const FootChange& change) {
+  const LegJoints leg = leg_joints(side);
+  const Vector3d toe = at(walk, f, leg.toe);
+  const Eigen::Quaterniond turn = exp_of(change.tail<3>());
+  const auto foot = static_cast<std::size_t>(walk.set.body.joint[leg.ankle]);
+  return {toe + Vector3d(change(0), 0, change(1)) + turn * (at(walk, f, leg.ankle) - toe),
+          turn * walk.worlds[f].rotations[foot]};
 }
 
 // How far the pelvis must come down at a phase so that the leg reaches.
@@ -212,31 +246,28 @@ PlantReport plant_feet(const MotionSet& set, Cycle& cycle) {
   report.speed_change = -cycle.velocity.norm();
   cycle.velocity = speed_of_feet(walk);
   report.speed_change += cycle.velocity.norm();
-  const std::array<Eigen::Matrix2Xd, 2> shifts = {ankle_shift(walk, Side::left),
-                                                  ankle_shift(walk, Side::right)};
-  const auto frames = static_cast<std::size_t>(set.phases);
-  const auto target = [&](std::size_t side, std::size_t f) -> Vector3d {
-    const Vector2d shift = shifts[side].col(static_cast<Eigen::Index>(f));
-    const LegJoints leg = leg_joints(static_cast<Side>(side));
-    return at(walk, f, leg.ankle) + Vector3d(shift.x(), 0, shift.y());
-  };
-  std::vector<double> low(frames, 0);
-  for (std::size_t side = 0; side < 2; ++side) {
-    for (std::size_t f = 0; f < frames; ++f) {
-      const LegJoints leg = leg_joints(static_cast<Side>(side));
-      low[f] = std::max(low[f], lowering(walk, f, leg, target(side, f)));
+  std::vector<std::array<FootTarget, 2>> targets(walk.poses.size());
+  std::vector<double> low(walk.poses.size(), 0);
+  std::array<Vector3d, 2> axes;
+  for (const Side side : {Side::left, Side::right}) {
+    const auto s = static_cast<std::size_t>(side);
+    const FootChanges changes = foot_changes(walk, side);
+    axes[s] = knee_axis(set.skeleton, set.body, side, walk.poses);
+    for (std::size_t f = 0; f < low.size(); ++f) {
+      const LegJoints leg = leg_joints(side);
+      targets[f][s] = target_of(walk, f, side, changes.col(static_cast<Eigen::Index>(f)));
+      low[f] = std::max(low[f], lowering(walk, f, leg, targets[f][s].ankle));
+      const double moved = (targets[f][s].ankle - at(walk, f, leg.ankle)).norm();
+      report.moved_m = std::max(report.moved_m, moved);
     }
-    report.moved_m = std::max(report.moved_m, shifts[side].colwise().norm().maxCoeff());
   }
   low = smooth_cover(low);
-  const std::array<Vector3d, 2> axes = {knee_axis(set.skeleton, set.body, Side::left, walk.poses),
-                                        knee_axis(set.skeleton, set.body, Side::right, walk.poses)};
-  for (std::size_t f = 0; f < frames; ++f) {
+  for (std::size_t f = 0; f < low.size(); ++f) {
     report.lowered_m = std::max(report.lowered_m, low[f]);
     walk.poses[f].root.y() -= low[f];
-    for (std::size_t side = 0; side < 2; ++side) {
-      move_ankle(set.skeleton, set.body, static_cast<Side>(side), axes[side], target(side, f),
-                 walk.poses[f]);
+    for (const Side side : {Side::left, Side::right}) {
+      const auto s = static_cast<std::size_t>(side);
+      move_foot(set.skeleton, set.body, side, axes[s], targets[f][s], walk.poses[f]);
     }
   }
   store(walk, cycle);

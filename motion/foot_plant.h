@@ -17,9 +17,9 @@ struct PlantReport {
 };
 
 // Moves the ankles of a cycle over the ground so that its standing feet stay where
-// they are while the body walks on; what was moved fades out during the swing. Heights
-// and directions of the feet stay as they were. Needs the key phases of a walk: right
-// off, right on, left off, left on, right off.
+// they are while the body walks on; what was moved fades out during the swing. Toes keep
+// their heights, feet their directions but for a little more heel rise before they leave. Needs the
+// key phases of a walk: right off, right on, left off, left on, right off.
 PlantReport plant_feet(const MotionSet& set, Cycle& cycle);
 
 // How far the supporting point of a foot slides over the ground while it stands: the

@@ -54,14 +54,14 @@ Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
   return sum.norm() > 0 ? sum.normalized() : Vector3d::UnitX();
 }
 
-void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
-                const Vector3d& ankle, Pose& pose) {
+void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
+               const FootTarget& target, Pose& pose) {
   const WorldPose world = forward_kinematics(skeleton, pose);
   const LegJoints leg = leg_joints(side);
   const int hip = body.joint[leg.hip], knee = body.joint[leg.knee], foot = body.joint[leg.ankle];
   const auto at = [&](int joint) -> Vector3d { return world.positions.col(joint); };
   const Vector3d thigh = at(knee) - at(hip), shank = at(foot) - at(knee);
-  const Vector3d wanted = ankle - at(hip);
+  const Vector3d wanted = target.ankle - at(hip);
   const auto thigh_joint =
       static_cast<std::size_t>(skeleton.joints[static_cast<std::size_t>(knee)].parent);
   const Hinge hinge = find_hinge(world.rotations[thigh_joint] * axis, thigh, shank, wanted.norm());
@@ -77,7 +77,7 @@ void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side, const 
   };
   set(hip, parent(hip), at_hip * turned(hip));
   set(knee, at_hip * parent(knee), at_hip * at_knee * turned(knee));
-  set(foot, at_hip * at_knee * parent(foot), turned(foot));
+  set(foot, at_hip * at_knee * parent(foot), target.rotation);
 }
 
 }  // namespace promenade::motion

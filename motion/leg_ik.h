@@ -17,10 +17,15 @@ LegJoints leg_joints(Side side);
 Eigen::Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
                           const std::vector<Pose>& poses);
 
-// Turns hip and knee of `pose` so that the ankle comes to `ankle` (world, metres), or
-// as near as the leg reaches. The knee turns about `axis` only and never beyond
-// straight; the foot keeps its direction in the world.
-void move_ankle(const Skeleton& skeleton, const BodyMap& body, Side side,
-                const Eigen::Vector3d& axis, const Eigen::Vector3d& ankle, Pose& pose);
+// Where an ankle is wanted, and how the foot is turned there, both in the world.
+struct FootTarget {
+  Eigen::Vector3d ankle;  // metres
+  Eigen::Quaterniond rotation;
+};
+
+// Turns hip, knee and ankle of `pose` so that the foot comes to `target`, or as near as
+// the leg reaches. The knee turns about `axis` only and never beyond straight.
+void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side,
+               const Eigen::Vector3d& axis, const FootTarget& target, Pose& pose);
 
 }  // namespace promenade::motion

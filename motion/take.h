@@ -13,6 +13,7 @@ struct Take {
   BodyMap body;
   double frame_time = 0;    // seconds
   std::vector<Pose> poses;  // T
+  int period = 0;           // frames after which the file began again; 0: never
 
   int frames() const { return static_cast<int>(poses.size()); }
 };

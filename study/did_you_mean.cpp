@@ -22,12 +22,24 @@ int edit_distance(std::string_view a, std::string_view b) {
   return last[b.size()];
 }
 
+namespace {
+
+std::size_t common_beginning(std::string_view a, std::string_view b) {
+  const std::size_t length = std::min(a.size(), b.size());
+  return static_cast<std::size_t>(std::mismatch(a.begin(), a.begin() + length, b.begin()).first -
+                                  a.begin());
+}
+
+}  // namespace
+
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates) {
   std::string best;
-  int least = std::max(1, static_cast<int>(name.size()) / 3) + 1;
+  int least = std::max(1, static_cast<int>(name.size()) / 3);
   for (const std::string& candidate : candidates) {
     const int distance = edit_distance(name, candidate);
-    if (distance >= least) continue;
+    if (distance > least) continue;
+    const bool equal = distance == least && !best.empty();
+    if (equal && common_beginning(name, candidate) <= common_beginning(name, best)) continue;
     least = distance;
     best = candidate;
   }

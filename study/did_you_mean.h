@@ -12,7 +12,7 @@ namespace promenade::study {
 int edit_distance(std::string_view a, std::string_view b);
 
 // The candidate that is nearest to `name`, if it is near enough to be meant (a third
-// of its letters); empty: none.
+// of its letters), of equals the one that begins most like it; empty: none.
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates);
 
 // "; did you mean \"limit_s\"?", or nothing: to be put behind a problem.

@@ -77,9 +77,10 @@ LocalText read_local_text(const TomlTable& table, std::string_view key, const St
   return text;
 }
 
-LocalText read_languages(const TomlTable& table, const std::string& what, const Study& study) {
+LocalText read_languages(const TomlTable& table, const std::string& name, const Study& study) {
   LocalText text = texts_by_language(table);
-  warn_of_missing(table, "", what, text, study);
+  if (text.empty()) text["en"] = name;
+  warn_of_missing(table, "", "\"" + name + "\"", text, study);
   return text;
 }
 

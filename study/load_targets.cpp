@@ -144,8 +144,7 @@ std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
   for (const TomlTable& table : tables) {
     Target target;
     target.name = table.required_text("name");
-    target.quality = read_languages(table, "\"" + target.name + "\"", context.study);
-    if (target.quality.empty()) target.quality["en"] = target.name;
+    target.quality = read_languages(table, target.name, context.study);
     warn_of_labels(table, target, context);
     targets.push_back(std::move(target));
   }

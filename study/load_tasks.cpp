@@ -27,7 +27,8 @@ std::vector<int> read_interface_list(const TomlTable& table, const Study& study)
     for (std::size_t i = 0; i < names.size(); ++i) indices.push_back(static_cast<int>(i));
     return indices;
   }
-  for (const TomlText& entry : table.texts("interfaces")) {
+  const std::vector<TomlText> entries = table.texts("interfaces");
+  for (const TomlText& entry : entries) {
     const auto found = std::find(names.begin(), names.end(), entry.text);
     const int index = static_cast<int>(found - names.begin());
     if (found == names.end()) {
@@ -39,7 +40,7 @@ std::vector<int> read_interface_list(const TomlTable& table, const Study& study)
       indices.push_back(index);
     }
   }
-  if (indices.empty() && table.is("interfaces", TomlValue::Kind::array)) {
+  if (entries.empty() && table.is("interfaces", TomlValue::Kind::array)) {
     table.error("interfaces", "a task needs at least one interface");
   }
   std::sort(indices.begin(), indices.end());

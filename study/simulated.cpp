@@ -36,9 +36,9 @@ Eigen::VectorXd appeal_of(const Target& target, const motion::MotionSet& set) {
 Person draw_person(Rng& rng) {
   Person person;
   person.eye_noise_m = log_normal(rng, 0.008, 0.4);
-  person.imagination_m = log_normal(rng, 0.03, 0.5);
+  person.imagination_m = log_normal(rng, 0.045, 0.5);
   person.patience_s = log_normal(rng, 60, 0.4);
-  person.think_s = log_normal(rng, 1.6, 0.35);
+  person.think_s = log_normal(rng, 2.0, 0.35);
   person.ideas = 3 + static_cast<int>(rng.below(5));
   person.generosity = 0.1 * rng.normal();
   return person;
@@ -93,6 +93,7 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   const Target& target = target_of(bundle_->study, planned);
   trial_ = {};
   trial_.index = state.index;
+  trial_.first = state.d.value_or(1);
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
   if (!target.weights) {
     trial_.appeal = appeal_of(target, bundle_->space.set);
@@ -143,11 +144,12 @@ std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& sessi
 
 Intention SimulatedParticipant::at_trial(const Session& session) {
   const TrialState& trial = *session.trial();
-  if (trial.index != trial_.index) begin_trial(session);
-  const double first =
-      trial.d ? trial_.metres_per_offset > 0 ? imagined(start_weights(bundle_->space)) : 1 : 1;
+  if (trial.index != trial_.index) {
+    begin_trial(session);
+    return after(1.5 * person_.think_s, Tick{});  // a first look
+  }
   const double now = seen(trial);
-  trial_.success = std::clamp(1 - now / std::max(first, 1e-9), 0.0, 1.0);
+  trial_.success = std::clamp(1 - now / std::max(trial_.first, 1e-9), 0.0, 1.0);
   if (trial.below_since_us) return {300'000, Tick{}};  // it fits: hands off
   const bool impatient = trial_.spent_s > trial_.patience_s;
   // In find tasks what is good enough comes down with the time spent.
@@ -156,7 +158,7 @@ Intention SimulatedParticipant::at_trial(const Session& session) {
                      now + person_.eye_noise_m * unit() * rng_.normal() < good_enough;
   if (impatient || found) return after(person_.think_s, Done{});
   if (auto idea = best_idea(session, trial)) return after(person_.think_s, Control{*idea});
-  const bool lost = trial.touched && now > 1.5 * first && rng_.below(4) == 0;
+  const bool lost = trial.touched && now > 1.5 * trial_.first && rng_.below(4) == 0;
   if (lost) return after(person_.think_s, StartOver{});
   return after(0.5 * person_.think_s, Tick{});
 }

@@ -15,12 +15,12 @@ namespace promenade::study {
 
 // How a person is, drawn at random for each participant.
 struct Person {
-  double eye_noise_m = 0.01;    // standard deviation of the D that is seen
-  double imagination_m = 0.03;  // the same for a motion that is only imagined
-  double patience_s = 60;       // gives up around then, in tasks that have Done
-  double think_s = 1.2;         // mean time between two actions
-  int ideas = 5;                // how many next steps come to mind
-  double generosity = 0;        // added to every rating, as a share of the scale
+  double eye_noise_m = 0.01;     // standard deviation of the D that is seen
+  double imagination_m = 0.045;  // the same for a motion that is only imagined
+  double patience_s = 60;        // gives up around then, in tasks that have Done
+  double think_s = 2;            // mean time between two actions
+  int ideas = 5;                 // how many next steps come to mind
+  double generosity = 0;         // added to every rating, as a share of the scale
 };
 Person draw_person(Rng& rng);
 
@@ -44,6 +44,7 @@ class SimulatedParticipant {
     Eigen::VectorXd target;        // N; empty in find tasks
     double metres_per_offset = 0;  // from the length of a difference of offsets to D
     Eigen::VectorXd appeal;        // N, 0 to 1; empty in match tasks
+    double first = 1;              // how far from the wish the start was
     double success = 0;            // how it went so far, 0 to 1
   };
   Intention at_page(const Session& session);

@@ -1,12 +1,72 @@
+// `promenade run`: a participant's session in a window.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "app/print.h"
+#include "app/registry.h"
+#include "app/session_window.h"
+#include "study/did_you_mean.h"
 
 namespace promenade::app {
+namespace {
+
+struct Options {
+  std::string file, database, participant, station = "1", language;
+  bool pilot = false, windowed = false;
+  std::optional<std::uint64_t> autopilot;
+};
+
+std::string choose_language(const Options& options, const study::Study& study) {
+  if (options.language.empty()) return study.languages.front();
+  const std::vector<std::string>& offered = study.languages;
+  if (std::find(offered.begin(), offered.end(), options.language) != offered.end()) {
+    return options.language;
+  }
+  throw InputError("--language " + options.language,
+                   "this study is offered in " + study::quoted_list(offered) +
+                       study::did_you_mean(options.language, offered));
+}
+
+void run(const Options& options) {
+  const study::StudyBundle bundle = study::load_study(options.file, interfaces());
+  SessionSetting setting{.bundle = bundle,
+                         .database = options.database,
+                         .participant = options.participant,
+                         .station = options.station,
+                         .language = choose_language(options, bundle.study),
+                         .pilot = options.pilot,
+                         .windowed = options.windowed,
+                         .autopilot = options.autopilot};
+  if (setting.database.empty()) setting.database = "results/" + bundle.study.name + ".db";
+  print_problems(bundle.warnings);
+  interrupted();  // from now on Ctrl-C ends the session properly
+  const SessionResult result = run_session(setting);
+  print_text(
+      fmt::format("session {}; it is in {}\n", study::to_text(result.outcome), setting.database));
+  print_text(
+      fmt::format("frames: every {:.1f} ms in the middle, {:.1f} ms at the 99th percentile; "
+                  "drawn in {:.1f} and {:.1f} ms\n",
+                  result.frame_median, result.frame_p99, result.work_median, result.work_p99));
+}
+
+}  // namespace
 
 void add_run_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("run", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("run is not in this version of Promenade yet"); });
+  auto options = std::make_shared<Options>();
+  CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
+  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
+  command->add_option("--participant", options->participant,
+                      "the participant's code; without it the first page asks");
+  command->add_flag("--pilot", options->pilot, "a trial run that does not count");
+  command->add_option("--station", options->station, "the name of this place");
+  command->add_option("--language", options->language, "en or ja (default: the study's first)");
+  command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
+  command->add_option("--autopilot", options->autopilot,
+                      "a simulated participant with this seed takes the mouse");
+  command->callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -26,10 +26,13 @@ void for_poses(const motion::MotionSet& set, const Visit& visit) {
   }
 }
 
-// The direction in a joint's own frame that points along `world` on average.
-Vector3d mean_axis(const motion::MotionSet& set, BodyJoint joint, const Vector3d& world) {
+// The direction in a joint's own frame that points along `world` on average, over
+// the poses in which the joint is not above `height`.
+Vector3d mean_axis(const motion::MotionSet& set, BodyJoint joint, const Vector3d& world,
+                   double height = INFINITY) {
   Vector3d sum = Vector3d::Zero();
   for_poses(set, [&](const WorldPose& pose) {
+    if (pose.positions(1, body_index(set.body, joint)) > height) return;
     sum += pose.rotations[at(set.body, joint)].conjugate() * world;
   });
   return sum.norm() > 0 ? sum.normalized() : world;
@@ -65,13 +68,19 @@ Mannequin make_mannequin(const motion::MotionSet& set) {
   made.height = walking_height(set) + 0.21 * made.scale;
   made.head_up = mean_axis(set, motion::head, Vector3d::UnitY());
   made.head_ahead = mean_axis(set, motion::head, Vector3d::UnitZ());
-  const std::array<BodyJoint, 2> ankles = {motion::left_ankle, motion::right_ankle};
-  for (std::size_t side = 0; side < 2; ++side) {
-    made.foot_ahead[side] = mean_axis(set, ankles[side], Vector3d::UnitZ());
-    made.foot_up[side] = mean_axis(set, ankles[side], Vector3d::UnitY());
-  }
   made.ankle_height = std::clamp(standing_height(set, motion::left_ankle), 0.03, 0.15);
   made.toe_height = std::clamp(standing_height(set, motion::left_toe), 0.0, made.ankle_height);
+  const std::array<BodyJoint, 2> ankles = {motion::left_ankle, motion::right_ankle};
+  const std::array<BodyJoint, 2> toes = {motion::left_toe, motion::right_toe};
+  constexpr double flat = 0.005;  // metres over standing
+  for (std::size_t side = 0; side < 2; ++side) {
+    const double ankle = standing_height(set, ankles[side]) + flat;
+    made.foot_ahead[side] = mean_axis(set, ankles[side], Vector3d::UnitZ(), ankle);
+    made.foot_up[side] = mean_axis(set, ankles[side], Vector3d::UnitY(), ankle);
+    const double toe = standing_height(set, toes[side]) + flat;
+    made.toe_ahead[side] = mean_axis(set, toes[side], Vector3d::UnitZ(), toe);
+    made.toe_up[side] = mean_axis(set, toes[side], Vector3d::UnitY(), toe);
+  }
   return made;
 }
 

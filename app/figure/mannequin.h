@@ -29,11 +29,12 @@ struct Mannequin {
   Eigen::Vector3d head_up, head_ahead;        // in the frame of the head's joint
   std::array<Eigen::Vector3d, 2> foot_ahead;  // in the frames of the ankles, left first
   std::array<Eigen::Vector3d, 2> foot_up;
-  double ankle_height = 0, toe_height = 0;  // of a foot that stands flat, metres
+  std::array<Eigen::Vector3d, 2> toe_ahead, toe_up;  // in the frames of the toes
+  double ankle_height = 0, toe_height = 0;           // of a foot that stands flat, metres
 };
 
-// How the head and the feet are turned is taken from the motions: on average they
-// point where the set walks (ours; skeletons do not say it).
+// How the head and the feet are turned is taken from the motions: on average the
+// head, and feet that stand, point where the set walks (ours; skeletons do not say).
 Mannequin make_mannequin(const motion::MotionSet& set);
 
 // Replaces `parts`. Metres, in the world of the pose.

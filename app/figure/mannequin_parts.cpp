@@ -181,7 +181,13 @@ class Builder {
     const double ball_at = std::min(reach, 0.135 * s);
     add(ankle, in_foot(0.45 * ball_at, 0.048 * s), 0.036, 0.036);
     add(in_foot(heel, 0.034 * s), in_foot(ball_at, 0.027 * s), 0.034, 0.036, normal, 0.75);
-    add(in_foot(ball_at, 0.025 * s), in_foot(ball_at + 0.062 * s, 0.019 * s), 0.036, 0.027, normal,
+    // The toes bend at the ball: they stay on the ground while the heel leaves it.
+    const BodyJoint toe_joint = side(left, left_toe, right_toe);
+    const bool bends = m_.body.joint[toe_joint] != m_.body.joint[ankle_joint];
+    const Vector3d toe_ahead = bends ? turn(toe_joint) * m_.toe_ahead[k] : ahead;
+    const Vector3d toe_up = bends ? turn(toe_joint) * m_.toe_up[k] : normal;
+    const Vector3d ball_point = in_foot(ball_at, 0.025 * s);
+    add(ball_point, ball_point + s * (0.062 * toe_ahead - 0.006 * toe_up), 0.036, 0.027, toe_up,
         0.68);
   }
 

@@ -106,6 +106,7 @@ void FigureRenderer::draw_ground(const View& view, const Ground& ground, const S
   gl_->floor.set("tint", ground.ring);
   gl_->floor.set("turn", Eigen::Vector2f(std::cos(ground.yaw), std::sin(ground.yaw)));
   gl_->floor.set("travel", ground.travel);
+  gl_->floor.set("stroke", ground.stroke);
   gl_->floor.set("dashes", ground.dashed ? 18.0f : 0.0f);
   gl_->floor.set("shadow_width", shadow_metres);
   glActiveTexture(GL_TEXTURE0);

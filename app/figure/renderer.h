@@ -14,8 +14,6 @@
 
 namespace promenade::app {
 
-
-
 // From the ground to the light, unit length: from the viewer's upper left.
 Eigen::Vector3f key_light();
 // The same for the shadow: steeper, so that it stays at the feet (ours).
@@ -26,6 +24,7 @@ struct Ground {
   bool dashed = false;
   Eigen::Vector2f travel = Eigen::Vector2f::Zero();  // metres walked: left, ahead
   float yaw = 0;                                     // radians, of the figure
+  float stroke = 1;                                  // of its lines: 1 at 1280 x 720
 };
 
 class FigureRenderer {

@@ -132,7 +132,7 @@ noperspective in vec3 world_ray;
 uniform vec3 eye, background, tint;
 uniform vec4 area;
 uniform vec2 turn, travel;
-uniform float focal, dashes, shadow_width;
+uniform float focal, dashes, shadow_width, stroke;
 uniform sampler2D shadow;
 out vec4 pixel;
 
@@ -151,7 +151,7 @@ void main() {
   vec2 edge = min(at - area.xy, area.xy + area.zw - at) / area.z;
   fade *= smoothstep(0.0, 0.22, edge.x) * smoothstep(0.0, 0.06, edge.y);
   vec2 q = vec2(turn.x * p.x - turn.y * p.y, turn.y * p.x + turn.x * p.y) + travel;
-  vec2 width = 1.1 * fwidth(q);
+  vec2 width = 1.1 * stroke * fwidth(q);
   float grid = max(0.085 * line(q, 0.2, width), 0.17 * line(q, 1.0, 1.4 * width));
   vec3 ground = mix(background, vec3(0.955, 0.95, 0.94), 0.75 * fade);
   ground *= 1.0 - grid * fade;
@@ -161,7 +161,7 @@ void main() {
   ground *= mix(vec3(0.30, 0.31, 0.36), vec3(1.0), light);
 
   float ring = abs(far - 0.46) / max(fwidth(far), 1e-5);
-  float ink = clamp(2.1 - ring, 0.0, 1.0);
+  float ink = clamp(0.6 + 1.5 * stroke - ring, 0.0, 1.0);
   if (dashes > 0.0) {
     float around = fract(atan(p.y, p.x) * dashes / 6.2831853);
     ink *= smoothstep(0.0, 0.06, around) * (1.0 - smoothstep(0.58, 0.64, around));

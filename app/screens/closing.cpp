@@ -13,4 +13,14 @@ void draw_closing(const Screen& screen) {
   if (pressed) screen.actions.emplace_back(study::Continue{});
 }
 
+void draw_failure(const Screen& screen) {
+  bool pressed = false;
+  draw_text_page(
+      screen,
+      {screen.texts("error.title"), screen.texts.with("error.text", {{"reason", screen.failure}}),
+       screen.texts("button.close")},
+      true, pressed);
+  if (pressed) screen.actions.emplace_back(study::Continue{});
+}
+
 }  // namespace promenade::app

@@ -9,6 +9,7 @@ namespace {
 using study::PageKind;
 
 void draw_page(const Screen& screen) {
+  if (screen.failure != nullptr) return draw_failure(screen);
   switch (screen.session.page().kind) {
     case PageKind::welcome:
       return draw_welcome(screen);

@@ -8,13 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "app/live_session.h"
 #include "app/panel.h"
 #include "app/stage.h"
 #include "study/session.h"
 
 namespace promenade::app {
-
-using StudyAction = decltype(study::Input::action);
 
 // What the screen remembers between frames, beside the session.
 struct ScreenMemory {
@@ -36,6 +35,7 @@ struct Screen {
   std::string_view language;
   std::int64_t now_us;  // since the session began
   bool pilot, simulated;
+  const char* failure;  // why the session has to stop; null: it goes on
   Stage& stage;
   ScreenMemory& memory;
   std::vector<StudyAction>& actions;          // out
@@ -52,6 +52,7 @@ void draw_intro(const Screen& screen);
 void draw_trial(const Screen& screen);
 void draw_rating(const Screen& screen);
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent
+void draw_failure(const Screen& screen);
 
 // Parts that several pages share.
 struct PageTexts {

@@ -1,5 +1,6 @@
 #include "motion/gait/feet.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/gait/curve.h"
@@ -11,14 +12,13 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double heel_rise = 2.95;  // end slope of the heel's rise over its mean: late and quick
-
 double strike_slope(const GaitStyle& style) {  // degrees per stride
   return -1.3 * style.feet.strike_pitch / style.timing.foot_flat;
 }
 
 double push_off_slope(const GaitStyle& style) {  // degrees per stride
-  return -heel_rise * style.feet.push_off_pitch / (style.timing.stance - style.timing.heel_off);
+  return -style.feet.push_off_haste * style.feet.push_off_pitch /
+         (style.timing.stance - style.timing.heel_off);
 }
 
 double swing_span(const GaitStyle& style) { return 1 - style.timing.stance; }
@@ -97,7 +97,7 @@ Vector3d swinging_ball(const GaitStyle& style, Side side, double count, double s
   const Vector3d from = ball_of(style, side, last, push);
   const Vector3d to = ball_of(style, side, next, strike);
   const Vector3d arrival = ball_velocity_at_strike(style, side) * span;
-  const double ahead = through({{0, 0, 0}, {0.5, 0.53, 1.65}, {0.87, 0.965, 0.65}, {1, 1, 0}}, s);
+  const double ahead = through({{0, 0, 0}, {0.5, 0.53, 1.65}, {0.87, 0.972, 0.52}, {1, 1, 0}}, s);
   Vector3d ball = from + ahead * (to - from) + s * s * (s - 1) * arrival;
   ball.y() = swinging_height(style.feet, from.y(), to.y(), arrival.y(), s);
   ball.x() += sign_of(side) * style.feet.circumduction * 16 * s * s * (1 - s) * (1 - s);

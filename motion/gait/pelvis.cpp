@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int samples = 60;          // of one stride
-constexpr double straightest = 3.5;  // degrees: a knee never locks
+constexpr int samples = 60;        // of one stride
+constexpr double straightest = 5;  // degrees: a knee never locks
 
 // Distance of hip and ankle when the knee is bent by so many degrees.
 double leg_reach(double knee) {

@@ -17,7 +17,7 @@ struct Timing {
   double cadence = 106;      // steps per minute; the step length follows from the speed
   double stance = 0.60;      // share of the stride that a foot is on the ground
   double foot_flat = 0.085;  // share of the stride at which the sole lies flat
-  double heel_off = 0.275;   // share of the stride at which the heel begins to rise
+  double heel_off = 0.32;    // share of the stride at which the heel begins to rise
   double left_strike = 0.5;  // stride at which the left heel strikes; 0.5 is even
 };
 
@@ -25,11 +25,12 @@ struct Feet {
   double half_width = 0.05;     // m, ankle from the line of progression
   double line_shift = 0;        // m, both feet to the left
   double toe_out = 7;           // degrees that the toes point outward
-  double reach = 0.425;         // share of a step that the ankle lands ahead of the pelvis
+  double reach = 0.45;          // share of a step that the ankle lands ahead of the pelvis
   double strike_pitch = 20;     // degrees that the toes are up at heel strike
-  double push_off_pitch = 69;   // degrees that the heel is up at toe off
+  double push_off_pitch = 66;   // degrees that the heel is up at toe off
+  double push_off_haste = 2.9;  // speed of the rising heel at toe off over its mean, 0 to 3
   double swing_pitch = 0;       // degrees that the toes are up in mid-swing
-  double lift = 0.058;          // m that the ball of the foot is lifted behind the body
+  double lift = 0.064;          // m that the ball of the foot is lifted behind the body
   double clearance = 0.032;     // m that it is lifted when it passes the other foot
   double lift_peak = 0.33;      // share of the swing at which it is highest
   double circumduction = 0.01;  // m that the foot swings outward
@@ -37,9 +38,9 @@ struct Feet {
 
 struct Knees {
   double strike = 6;    // degrees of flexion at heel strike
-  double loading = 20;  // the same while the weight comes on
+  double loading = 18;  // the same while the weight comes on
   double mid = 5;       // the same in late single support
-  double release = 14;  // the same when the other heel strikes
+  double release = 15;  // the same when the other heel strikes
   double toe_off = 40;  // the same at toe off
   double outward = 0;   // degrees that the knees point outward, beyond half the toe-out
 };
@@ -52,8 +53,8 @@ struct Pelvis {
   double rotation = 4.5;    // degrees either way, forward with the striking leg
   double sway = 0.02;       // m either way, toward the stance leg
   double sway_peak = 0.30;  // stride at which it is farthest over the right foot
-  double surge = 0.005;     // m either way along the path, twice a stride
-  double bounce = 0.008;    // m either way of vertical travel beyond what the knees give
+  double surge = 0.002;     // m either way along the path, twice a stride
+  double bounce = 0;        // m either way of vertical travel beyond what the knees give
 };
 
 struct Trunk {

@@ -1,5 +1,7 @@
 #include "motion/gait/upper_body.h"
 
+#include <cmath>
+
 #include "motion/gait/curve.h"
 #include "motion/gait/pelvis.h"
 

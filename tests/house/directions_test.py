@@ -15,8 +15,8 @@ ROOMS = {
     "analysis": {"own": ("motion/", "study/", "analysis/"),
                  "libraries": ("Eigen/", "sqlite3.h", "fmt/", "nlohmann/", "boost/")},
     "app": {"own": ("motion/", "study/", "analysis/", "app/"),
-            "libraries": ("Eigen/", "fmt/", "nlohmann/", "CLI/", "GLFW/", "imgui", "epoxy/",
-                          "glm/")},
+            "libraries": ("Eigen/", "fmt/", "nlohmann/", "CLI/", "GLFW/", "imgui",
+                          "backends/imgui_", "epoxy/", "glm/")},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
 STANDARD = re.compile(r"^[a-z_]+$|^[a-z_]+\.h$|^sys/[a-z_]+\.h$")

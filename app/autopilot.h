@@ -1,0 +1,63 @@
+// A simulated participant at the mouse: turns intentions into mouse and keyboard
+// events that enter where those of the window do, so that the real widgets are
+// clicked and dragged. The pointer moves as a hand does: smoothly, and longer for
+// longer ways.
+#pragma once
+
+#include <string>
+
+#include "app/widget_map.h"
+#include "app/window/input_queue.h"
+#include "study/simulated.h"
+
+namespace promenade::app {
+
+class Autopilot {
+ public:
+  // `code` is typed where the welcome page asks for it.
+  Autopilot(study::SimulatedParticipant participant, std::string code)
+      : participant_(std::move(participant)), code_(std::move(code)) {}
+
+  // Once a frame: pushes what the hand does by now. `widgets` are those on screen.
+  void act(std::int64_t now_us, const study::Session& session, const WidgetMap& widgets,
+           InputQueue& queue);
+
+ private:
+  struct Point {
+    double x = 0, y = 0;
+  };
+  enum class Stage { thinking, reaching, pressing, dragging, letting_go, typing };
+  struct Errand {  // the widget to go to and what to do there
+    std::string kind, target;
+    bool slides = false;
+    double value = 0;
+  };
+
+  void think(const study::Session& session);
+  Errand errand_of(const decltype(study::Input::action)& action) const;
+  void start_moving(Point to);
+  bool moved(InputQueue& queue);  // true: there
+  void reach(const WidgetMap& widgets, InputQueue& queue);
+  void press(const WidgetMap& widgets, InputQueue& queue);
+  void let_go(InputQueue& queue);
+  void type(InputQueue& queue);
+  void enter(Stage stage, double seconds);
+  bool lost(const study::Session& session) const;
+  void push(InputQueue& queue, UiEvent event) const;
+
+  study::SimulatedParticipant participant_;
+  std::string code_;
+  bool code_typed_ = false;
+  std::int64_t now_us_ = 0;
+  Stage stage_ = Stage::thinking;
+  std::int64_t due_us_ = 0;  // when the stage may end
+  bool has_errand_ = false;
+  Errand errand_;
+  const study::Page* page_ = nullptr;  // where the errand was thought of
+  Point at_{640, 360}, from_, to_;
+  std::int64_t left_us_ = 0, arrives_us_ = 0;
+  bool moving_ = false, holding_ = false;
+  std::size_t typed_ = 0;
+};
+
+}  // namespace promenade::app

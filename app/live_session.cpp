@@ -1,0 +1,75 @@
+#include "app/live_session.h"
+
+#include <algorithm>
+
+namespace promenade::app {
+
+using study::Record;
+
+LiveSession::LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
+                         std::int64_t began_us)
+    : session_(std::move(session)),
+      store_(store),
+      header_(std::move(header)),
+      began_us_(began_us) {}
+
+// A log that cannot be written ends the session: what was logged stays.
+template <typename Work>
+void LiveSession::guard(const Work& work) {
+  if (failure_) return;
+  try {
+    work();
+  } catch (const OutsideError& error) {
+    failure_ = error.what();
+  }
+}
+
+bool LiveSession::knows(const std::string& participant) {
+  bool known = false;
+  guard([&] { known = store_.knows_participant(participant); });
+  return known;
+}
+
+void LiveSession::record_as(const std::string& participant) {
+  if (recorded_) return;
+  header_.participant = participant;
+  header_.started_utc = study::utc_now();
+  guard([&] {
+    store_.begin_session(header_, session_.plan());
+    recorded_ = true;
+    write(waiting_);
+  });
+  waiting_.clear();
+}
+
+void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {
+  study::Input input;
+  // Time never goes back, whatever order events come in.
+  last_us_ = input.t_us = std::max(last_us_, since_began(moment.t_us));
+  input.uncertainty_us = moment.uncertainty_us;
+  input.frame_us = moment.frame_us < 0 ? -1 : since_began(moment.frame_us);
+  input.x = moment.x;
+  input.y = moment.y;
+  input.actor = actor;
+  input.action = std::move(action);
+  std::vector<Record> records = session_.step(input);
+  if (recorded_) {
+    guard([&] { write(records); });
+  } else {
+    waiting_.insert(waiting_.end(), std::make_move_iterator(records.begin()),
+                    std::make_move_iterator(records.end()));
+  }
+}
+
+void LiveSession::write(const std::vector<Record>& records) {
+  for (const Record& record : records) store_.write(record);
+  if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
+}
+
+void LiveSession::flush(std::int64_t now_us) {
+  if (!recorded_ || now_us - flushed_us_ < 40'000) return;
+  flushed_us_ = now_us;
+  guard([&] { store_.flush(); });
+}
+
+}  // namespace promenade::app

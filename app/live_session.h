@@ -1,0 +1,63 @@
+// A session while it is played: the pure session, its log, and the time since it
+// began. Every input goes through take().
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/session.h"
+#include "study/store.h"
+
+namespace promenade::app {
+
+using StudyAction = decltype(study::Input::action);
+
+// When and where something happened, on the monotonic clock.
+struct Moment {
+  std::int64_t t_us = 0;
+  std::int64_t uncertainty_us = 0;
+  std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
+  double x = 0, y = 0;         // pointer, pixels
+};
+
+class LiveSession {
+ public:
+  // The session begins at `began_us` on the monotonic clock; nothing is stored
+  // before record_as(). Both outlive it.
+  LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
+              std::int64_t began_us);
+
+  void record_as(const std::string& participant);
+  bool recorded() const { return recorded_; }
+  bool knows(const std::string& participant);
+
+  void take(StudyAction action, const Moment& moment,
+            study::Actor actor = study::Actor::participant);
+  // Time passed, with nothing done.
+  void tick(std::int64_t t_us) { take(study::Tick{}, {.t_us = t_us}, study::Actor::system); }
+
+  // Brings the log to the disk when 40 ms have passed since the last time.
+  void flush(std::int64_t now_us);
+
+  const study::Session& session() const { return session_; }
+  std::int64_t since_began(std::int64_t t_us) const { return t_us - began_us_; }
+  // Why nothing more can be stored; the session is over then.
+  const std::optional<std::string>& failure() const { return failure_; }
+
+ private:
+  void write(const std::vector<study::Record>& records);
+  template <typename Work>
+  void guard(const Work& work);
+
+  study::Session session_;
+  study::Store& store_;
+  study::SessionHeader header_;
+  std::int64_t began_us_;
+  std::int64_t last_us_ = 0;  // of the last input, since the beginning
+  std::int64_t flushed_us_ = 0;
+  bool recorded_ = false;
+  std::vector<study::Record> waiting_;  // from before record_as()
+  std::optional<std::string> failure_;
+};
+
+}  // namespace promenade::app

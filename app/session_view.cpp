@@ -1,0 +1,182 @@
+#include "app/session_view.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace promenade::app {
+namespace {
+
+using study::PageKind;
+
+std::string cycle_name(const motion::Cycle& cycle, const study::Texts& texts) {
+  // "happy_2" is read as the second of its style.
+  const bool numbered = !cycle.style.empty() && cycle.name.size() > cycle.style.size() &&
+                        cycle.name.starts_with(cycle.style + "_");
+  if (!numbered) return texts.style(cycle.name);
+  std::string rest = cycle.name.substr(cycle.style.size() + 1);
+  std::replace(rest.begin(), rest.end(), '_', ' ');
+  return texts.style(cycle.style) + " " + rest;
+}
+
+std::vector<int> order_of(const std::vector<std::string>& names) {
+  std::vector<int> order(names.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+void add_local(const study::LocalText& text, std::vector<std::string>& words) {
+  for (const auto& [language, content] : text) words.push_back(content);
+}
+
+}  // namespace
+
+std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts) {
+  std::vector<std::string> names;
+  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle_name(cycle, texts));
+  return names;
+}
+
+std::vector<std::string> shown_words(const study::StudyBundle& bundle, const study::Texts& texts) {
+  std::vector<std::string> words = cycle_names(bundle.space.set, texts);
+  for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  const study::Study& study = bundle.study;
+  add_local(study.title, words);
+  add_local(study.consent, words);
+  for (const study::Rating& rating : study.ratings) {
+    for (const study::LocalText* text : {&rating.question, &rating.low, &rating.high}) {
+      add_local(*text, words);
+    }
+  }
+  for (const study::Task& task : study.tasks) {
+    for (const study::Target& target : task.targets) add_local(target.quality, words);
+    for (const study::Target& target : task.practice) add_local(target.quality, words);
+  }
+  return words;
+}
+
+SessionView::SessionView(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
+                         const study::Texts& texts, const Gui& gui, LiveSession& live,
+                         InputQueue& queue, const ViewOptions& options)
+    : bundle_(bundle),
+      registry_(registry),
+      texts_(texts),
+      gui_(gui),
+      live_(live),
+      queue_(queue),
+      options_(options),
+      names_(cycle_names(bundle.space.set, texts)),
+      by_name_(order_of(names_)),
+      content_{bundle.space, texts, names_, by_name_},
+      stage_(bundle.space.set),
+      average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
+  const std::size_t length = std::min(options.participant.size(), memory_.code.size() - 1);
+  std::copy_n(options.participant.begin(), length, memory_.code.begin());
+}
+
+bool SessionView::has_panel() const {
+  const PageKind kind = live_.session().page().kind;
+  return kind == PageKind::trial || kind == PageKind::instructions;
+}
+
+void SessionView::advance(std::int64_t now_us) {
+  const study::Session& session = live_.session();
+  if (const study::TrialState* trial = session.trial()) {
+    return stage_.advance(now_us, trial->target ? &*trial->target : nullptr, &trial->cycle);
+  }
+  if (session.page().kind != PageKind::instructions) {
+    return stage_.advance(now_us, nullptr, nullptr);
+  }
+  const auto index = static_cast<std::size_t>(session.page().trial);
+  const auto task = static_cast<std::size_t>(session.plan().trials[index].task);
+  const bool match = bundle_.study.tasks[task].kind == study::TaskKind::match;
+  stage_.advance(now_us, match ? &average_ : nullptr, &average_);
+}
+
+Moment SessionView::moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const {
+  // An event may have come while the frame before was still on screen.
+  const std::int64_t frame = t_us >= shown_us_ ? shown_us_ : shown_before_us_;
+  return {t_us, uncertainty_us, frame, queue_.x(), queue_.y()};
+}
+
+void SessionView::take_presses() {
+  for (const UiPress& press : queue_.presses()) {
+    Moment moment = moment_at(press.t_us, press.uncertainty_us);
+    moment.x = press.x;
+    moment.y = press.y;
+    live_.take(study::Press{}, moment);
+  }
+}
+
+void SessionView::frame(std::int64_t now_us) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DeltaTime = std::max(1e-4f, 1e-6f * static_cast<float>(now_us - drawn_us_));
+  drawn_us_ = now_us;
+  queue_.feed(io);
+  take_presses();
+  actions_.clear();
+  changes_.clear();
+  ImGui::NewFrame();
+  draw_screen({.ui = {gui_.look(), gui_.layout(), widgets_},
+               .bundle = bundle_,
+               .session = live_.session(),
+               .texts = texts_,
+               .registry = registry_,
+               .content = content_,
+               .language = options_.language,
+               .now_us = live_.since_began(now_us),
+               .pilot = options_.pilot,
+               .simulated = options_.simulated,
+               .failure = live_.failure() ? live_.failure()->c_str() : nullptr,
+               .stage = stage_,
+               .memory = memory_,
+               .actions = actions_,
+               .changes = changes_});
+  ImGui::Render();
+  take_actions();
+  live_.tick(queue_.settled_us(now_us));
+  live_.flush(now_us);
+}
+
+void SessionView::take_actions() {
+  const Moment moment = moment_at(queue_.t_us(), queue_.uncertainty_us());
+  for (study::ControlInput& change : changes_) {
+    live_.take(study::Control{std::move(change)}, moment);
+  }
+  if (memory_.wants_start) leave_welcome();
+  if (live_.failure()) {
+    closed_ = closed_ || !actions_.empty();
+    return;
+  }
+  for (StudyAction& action : actions_) live_.take(std::move(action), moment);
+}
+
+void SessionView::leave_welcome() {
+  memory_.wants_start = false;
+  const std::string code = memory_.code.data();
+  // A code given on the command line is the experimenter's word.
+  memory_.code_refused = code != options_.participant && live_.knows(code);
+  if (memory_.code_refused || live_.failure()) return;
+  live_.record_as(code);
+  actions_.emplace_back(study::Continue{});
+}
+
+void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
+  shown_before_us_ = shown_us_;
+  shown_us_ = shown_us;
+  if (late_us > 0 && live_.session().trial() != nullptr) {
+    live_.take(study::LateFrame{late_us}, {.t_us = shown_us, .frame_us = shown_us},
+               study::Actor::system);
+  }
+}
+
+void SessionView::stop(const std::string& reason, std::int64_t now_us) {
+  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_});
+  closed_ = true;
+}
+
+bool SessionView::ended() const { return closed_ || live_.session().ended(); }
+
+}  // namespace promenade::app

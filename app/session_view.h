@@ -1,0 +1,73 @@
+// One running session on one screen, without a window: hands input to the pages
+// and what they say to the session. The tests play whole sessions with it.
+#pragma once
+
+#include <memory>
+
+#include "app/gui.h"
+#include "app/live_session.h"
+#include "app/screens/screen.h"
+#include "app/window/input_queue.h"
+
+namespace promenade::app {
+
+struct ViewOptions {
+  std::string language = "en";
+  std::string participant;  // empty: the welcome page asks
+  bool pilot = false, simulated = false;
+};
+
+// Every text that the pages can show, in one language.
+std::vector<std::string> shown_words(const study::StudyBundle& bundle, const study::Texts& texts);
+// What people read for each cycle of the set.
+std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts);
+
+class SessionView {
+ public:
+  // Everything named outlives the view. `gui` has been fitted.
+  SessionView(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
+              const study::Texts& texts, const Gui& gui, LiveSession& live, InputQueue& queue,
+              const ViewOptions& options);
+
+  // Lets the figures walk on, as the session now is.
+  void advance(std::int64_t now_us);
+  // Takes in the events, draws the page and steps the session. Leaves the drawing
+  // in ImGui::GetDrawData.
+  void frame(std::int64_t now_us);
+  // A frame was put on screen.
+  void shown(std::int64_t shown_us, std::int64_t late_us);
+  void stop(const std::string& reason, std::int64_t now_us);
+  bool ended() const;
+
+  Stage& stage() { return stage_; }
+  bool has_panel() const;  // the page has a panel: its ground is filled before
+  const WidgetMap& widgets() const { return widgets_; }
+
+ private:
+  Moment moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const;
+  void take_presses();
+  void take_actions();
+  void leave_welcome();
+
+  const study::StudyBundle& bundle_;
+  const study::InterfaceRegistry& registry_;
+  const study::Texts& texts_;
+  const Gui& gui_;
+  LiveSession& live_;
+  InputQueue& queue_;
+  ViewOptions options_;
+  std::vector<std::string> names_;
+  std::vector<int> by_name_;
+  study::InterfacePanel::Content content_;
+  Stage stage_;
+  motion::Cycle average_;  // walks where nothing is asked yet
+  ScreenMemory memory_;
+  WidgetMap widgets_;
+  std::vector<StudyAction> actions_;
+  std::vector<study::ControlInput> changes_;
+  std::int64_t drawn_us_ = 0;
+  std::int64_t shown_us_ = -1, shown_before_us_ = -1;
+  bool closed_ = false;
+};
+
+}  // namespace promenade::app

@@ -1,0 +1,142 @@
+#include "app/session_window.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/autopilot.h"
+#include "app/print.h"
+#include "app/registry.h"
+#include "app/session_view.h"
+#include "app/window/clock.h"
+#include "app/window/frame_loop.h"
+#include "app/window/gui_renderer.h"
+
+namespace promenade::app {
+namespace {
+
+double quantile_ms(std::vector<std::int64_t> times_us, double share) {
+  if (times_us.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(times_us.size() - 1));
+  std::nth_element(times_us.begin(), times_us.begin() + place, times_us.end());
+  return 1e-3 * static_cast<double>(times_us[static_cast<std::size_t>(place)]);
+}
+
+study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
+  study::SessionHeader header;
+  header.station = setting.station;
+  header.language = setting.language;
+  header.simulated = setting.autopilot.has_value();
+  header.pilot = setting.pilot;
+  Json machine = Json::parse(window.description());
+  machine["program"] = "promenade";
+  header.machine = machine.dump();
+  return header;
+}
+
+// All that lives as long as the window does, in the order in which it is made.
+class Player {
+ public:
+  Player(const SessionSetting& setting, study::Store& store)
+      : setting_(setting),
+        texts_(study::load_texts(setting.language)),
+        window_({.title = setting.bundle.study.name, .windowed = setting.windowed}, queue_),
+        gui_(make_palette(setting.bundle.study.paper_colours), shown_words(setting.bundle, texts_)),
+        live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
+    fit();
+    view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), texts_, gui_, live_, queue_,
+                                          view_options());
+    if (setting.autopilot) {
+      autopilot_ = std::make_unique<Autopilot>(
+          study::SimulatedParticipant(setting.bundle, interfaces(), *setting.autopilot),
+          setting.participant.empty() ? store.next_simulated_code() : "");
+    }
+  }
+
+  SessionResult play() {
+    warm_up();
+    const FrameTimes times = run_frames(
+        window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
+                  .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
+                  .shown = [this](std::int64_t t, std::int64_t late) { view_->shown(t, late); },
+                  .ended = [this] { return ended(); }});
+    if (live_.failure()) throw OutsideError(*live_.failure());
+    return {live_.session().outcome(), quantile_ms(times.interval_us, 0.5),
+            quantile_ms(times.interval_us, 0.99), quantile_ms(times.work_us, 0.5),
+            quantile_ms(times.work_us, 0.99)};
+  }
+
+ private:
+  static study::Session make_session(const SessionSetting& setting, study::Store& store) {
+    const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
+    return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence)};
+  }
+
+  ViewOptions view_options() const {
+    return {setting_.language, setting_.participant, setting_.pilot,
+            setting_.autopilot.has_value()};
+  }
+
+  void fit() {
+    if (gui_.fit(window_.width(), window_.height())) gui_renderer_.upload_fonts();
+  }
+
+  // Every program of the card is used once before anybody looks: the first time
+  // takes up to a third of a second.
+  void warm_up() {
+    std::vector<Part> parts(1);
+    parts[0].b = {0, 0.1f, 0};
+    parts[0].radius_a = parts[0].radius_b = 0.1f;
+    const View view = make_view({}, 1.7, 400, {600, 500}, {0, 0, 1000, 700});
+    renderer_.begin(window_.width(), window_.height(), gui_.look().palette.background);
+    renderer_.draw_ground(view, {}, Shadow{});
+    renderer_.draw_parts(view, parts, gui_.look().palette.created);
+    window_.poll();
+    view_->frame(monotonic_us());
+    gui_renderer_.draw();
+    window_.swap();
+    let_renderer_threads_idle();
+  }
+
+  void draw_figures(std::int64_t now_us) {
+    fit();
+    view_->advance(now_us);
+    const Palette& palette = gui_.look().palette;
+    renderer_.begin(window_.width(), window_.height(), palette.background);
+    view_->stage().draw(renderer_, gui_.layout(), palette);
+    if (view_->has_panel()) renderer_.fill(gui_.layout().panel(), palette.panel);
+  }
+
+  void draw_screen(std::int64_t now_us) {
+    if (window_.closing()) view_->stop("window closed", now_us);
+    if (interrupted()) view_->stop("interrupted", now_us);
+    if (view_->ended()) return;
+    if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
+    view_->frame(now_us);
+    gui_renderer_.draw();
+  }
+
+  bool ended() const { return view_->ended(); }
+
+  const SessionSetting& setting_;
+  study::Texts texts_;
+  InputQueue queue_;
+  Window window_;
+  Gui gui_;
+  GuiRenderer gui_renderer_;
+  FigureRenderer renderer_;
+  LiveSession live_;
+  std::unique_ptr<SessionView> view_;
+  std::unique_ptr<Autopilot> autopilot_;
+};
+
+}  // namespace
+
+SessionResult run_session(const SessionSetting& setting) {
+  // A display and fonts first: without them nothing is written.
+  require_display();
+  require_fonts();
+  study::Store store(setting.database, setting.bundle);
+  return Player(setting, store).play();
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,31 @@
+// A participant's session in a window.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app/live_session.h"
+
+namespace promenade::app {
+
+struct SessionSetting {
+  const study::StudyBundle& bundle;
+  std::string database;     // file
+  std::string participant;  // code; empty: asked for on the welcome page
+  std::string station = "1";
+  std::string language = "en";
+  bool pilot = false, windowed = false;
+  std::optional<std::uint64_t> autopilot;  // seed of the simulated participant
+};
+
+struct SessionResult {
+  study::Outcome outcome = study::Outcome::running;
+  // Milliseconds; 0 when there were too few frames.
+  double frame_median = 0, frame_p99 = 0, work_median = 0, work_p99 = 0;
+};
+
+// Returns when the session is over. Throws OutsideError without a display, and
+// when the log cannot be written; then everything until that moment is stored.
+SessionResult run_session(const SessionSetting& setting);
+
+}  // namespace promenade::app

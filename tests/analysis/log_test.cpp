@@ -1,0 +1,127 @@
+#include "analysis/log.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/files.h"
+#include "motion/problem.h"
+#include "tests/analysis/toy_log.h"
+
+namespace promenade::analysis {
+namespace {
+
+std::string message_of(const std::vector<std::string>& files) {
+  try {
+    read_log(files);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read without a word";
+}
+
+bool says(const std::string& message, const std::string& part) {
+  return message.find(part) != std::string::npos;
+}
+
+TEST(Log, HoldsSessionsTrialsAndAnswersButNoPractice) {
+  const TestFolder folder;
+  ToyLog(folder.file("a.db"))
+      .session({"P01"})
+      .trial({.practice = true})
+      .trial({"labels", "happy", 12.5, 0.034})
+      .answer("ease", 5)
+      .answer("ease", 6, false);
+  const Log log = read_log({folder.file("a.db")});
+  ASSERT_EQ(log.trials.size(), 1u);
+  EXPECT_EQ(log.sessions[0].code, "P01");
+  EXPECT_EQ(log.trials[0].ended_us, 12'500'000);
+  EXPECT_EQ(log.trials[0].d_final, 0.034);
+  ASSERT_EQ(log.answers.size(), 1u) << "an untouched answer is none";
+  EXPECT_EQ(log.answers[0].value, 5);
+}
+
+TEST(Log, JoinsFilesOfOneStudyAndTakesEachSessionOnce) {
+  const TestFolder folder;
+  { fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0, "a"); }
+  { fill(*std::make_unique<ToyLog>(folder.file("b.db")), 3, 0, "b"); }
+  const Log log = read_log({folder.file("a.db"), folder.file("b.db"), folder.file("a.db")});
+  EXPECT_EQ(log.sessions.size(), 5u);
+  EXPECT_EQ(log.trials.size(), 10u);
+  EXPECT_EQ(log.repeated_sessions, 2);
+  EXPECT_EQ(log.files[2].trials, 0);
+}
+
+TEST(Log, RefusesFilesOfDifferentStudies) {
+  const TestFolder folder;
+  { ToyLog a(folder.file("a.db"), "abc"); }
+  { ToyLog b(folder.file("b.db"), "def"); }
+  EXPECT_TRUE(says(message_of({folder.file("a.db"), folder.file("b.db")}), "another study"));
+}
+
+TEST(Log, NamesEveryFileThatIsNoDatabase) {
+  const TestFolder folder;
+  write_file(folder.file("text.db"), "this is a text and certainly not a database at all");
+  write_file(folder.file("empty.db"), "");
+  const std::string message = message_of({folder.file("text.db"), folder.file("empty.db"),
+                                          folder.file("missing.db"), folder.file("")});
+  EXPECT_TRUE(says(message, "text.db: error: is not a database"));
+  EXPECT_TRUE(says(message, "empty.db: error: is not a database"));
+  EXPECT_TRUE(says(message, "missing.db: error: does not exist"));
+  EXPECT_TRUE(says(message, "is a folder"));
+}
+
+TEST(Log, RefusesTheDatabaseOfAnotherProgram) {
+  const TestFolder folder;
+  {
+    study::Database other(folder.file("other.db"), study::Database::Mode::create);
+    other.exec("CREATE TABLE bookmarks(url TEXT)");
+  }
+  EXPECT_TRUE(says(message_of({folder.file("other.db")}), "not a database of Promenade"));
+}
+
+TEST(Log, RefusesTheDatabaseOfANewerVersion) {
+  const TestFolder folder;
+  { ToyLog(folder.file("new.db")).database().exec("PRAGMA user_version = 99"); }
+  EXPECT_TRUE(says(message_of({folder.file("new.db")}), "newer Promenade"));
+}
+
+TEST(Log, RefusesADatabaseCutOffAnywhere) {
+  const TestFolder folder;
+  { fill(*std::make_unique<ToyLog>(folder.file("a.db")), 40, 0.001); }
+  const std::string bytes = read_file(folder.file("a.db"));
+  for (const std::size_t kept : {bytes.size() / 2, bytes.size() - 4096, std::size_t{4096},
+                                 std::size_t{5000}, std::size_t{100}}) {
+    write_file(folder.file("cut.db"), bytes.substr(0, kept));
+    EXPECT_NE(message_of({folder.file("cut.db")}), "read without a word") << kept;
+  }
+}
+
+TEST(Log, RefusesTablesThatAreNotThere) {
+  const TestFolder folder;
+  { ToyLog(folder.file("a.db")).database().exec("DROP TABLE answer"); }
+  EXPECT_TRUE(says(message_of({folder.file("a.db")}), "damaged"));
+}
+
+TEST(Log, LeavesTheFileAndItsFolderAsTheyWere) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.database().exec("PRAGMA journal_mode = WAL");
+    fill(log, 2, 0);
+  }
+  const std::string before = read_file(folder.file("a.db"));
+  read_log({folder.file("a.db")});
+  EXPECT_EQ(read_file(folder.file("a.db")), before);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.db-wal")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.db-shm")));
+}
+
+TEST(Log, ReadsWhatARunningSessionHasNotYetCheckpointed) {
+  const TestFolder folder;
+  ToyLog running(folder.file("a.db"));
+  running.database().exec("PRAGMA journal_mode = WAL");
+  fill(running, 2, 0);
+  EXPECT_EQ(read_log({folder.file("a.db")}).trials.size(), 4u);
+}
+
+}  // namespace
+}  // namespace promenade::analysis

@@ -1,0 +1,193 @@
+#include "analysis/report.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "motion/files.h"
+#include "motion/problem.h"
+#include "tests/analysis/toy_log.h"
+
+namespace promenade::analysis {
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+void make(const TestFolder& folder, const std::string& name, int people, double step) {
+  fill(*std::make_unique<ToyLog>(folder.file(name)), people, step);
+}
+
+std::map<std::string, std::string> contents(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+    }
+  }
+  return files;
+}
+
+Json report(const TestFolder& folder, const SelectionOptions& selection = {}) {
+  write_report({{folder.file("a.db")}, folder.file("out"), selection});
+  return Json::parse(read_file(folder.file("out/report.json")));
+}
+
+Json row_of(const Json& report, const std::string& measure, const Json& pooling) {
+  for (const Json& row : report["wilcoxon"]) {
+    if (row["measure"] == measure && row["pooling"] == pooling) return row;
+  }
+  return {};
+}
+
+// weights - labels is 0.001 i metres and 10 s for person i = 1..7: W+ = 28, p = 2/128, the
+// middle of the 28 Walsh averages is 0.004, and c = 3 by tables (2 P(W <= 2) = 6/128): the
+// third of 0.001, 0.0015, 0.002, 0.002, ...
+TEST(Report, HasTheNumbersOfTheContractInJson) {
+  const TestFolder folder;
+  make(folder, "a.db", 7, 0.001);
+  const Json row = row_of(report(folder), "d_final", "participants");
+  EXPECT_EQ(row["a"], "weights");
+  EXPECT_EQ(row["b"], "labels");
+  EXPECT_TRUE(row["target"].is_null());
+  EXPECT_EQ(row["n"], 7);
+  EXPECT_EQ(row["n_zero"], 0);
+  EXPECT_EQ(row["W_plus"], 28);
+  EXPECT_EQ(row["W_minus"], 0);
+  EXPECT_EQ(row["p_exact_two"], 2.0 / 128);
+  EXPECT_EQ(row["p_holm"], 2.0 / 128);
+  EXPECT_EQ(row["rank_biserial"], 1);
+  EXPECT_NEAR(row["hl"], 0.004, 1e-12);
+  EXPECT_NEAR(row["hl_ci"][0], 0.002, 1e-12);
+  EXPECT_NEAR(row["hl_ci"][1], 0.006, 1e-12);
+}
+
+TEST(Report, PutsEveryFileInItsPlace) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  report(folder);
+  for (const char* file : {"report.html", "report.json", "figures/d_final.svg",
+                           "figures/d_final.pdf", "figures/time_s.svg", "figures/time_s.pdf",
+                           "tables/comparisons.csv", "tables/trials.csv"}) {
+    EXPECT_TRUE(fs::is_regular_file(folder.file("out") + "/" + file)) << file;
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 2) << "a.db and out";
+}
+
+TEST(Report, IsTheSameByteForByteWhenMadeAgain) {
+  const TestFolder folder;
+  make(folder, "a.db", 8, 0.002);
+  write_report({{folder.file("a.db")}, folder.file("one"), {}});
+  write_report({{folder.file("a.db")}, folder.file("two"), {}});
+  EXPECT_EQ(contents(folder.file("one")), contents(folder.file("two")));
+}
+
+TEST(Report, ReplacesAnOlderOneAndLeavesOtherFilesAlone) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  write_file(folder.file("out/report.html"), "old");
+  write_file(folder.file("out/notes.txt"), "mine");
+  report(folder);
+  EXPECT_NE(read_file(folder.file("out/report.html")), "old");
+  EXPECT_EQ(read_file(folder.file("out/notes.txt")), "mine");
+}
+
+TEST(Report, NeverPrintsWhatIsNoNumber) {
+  const std::regex no_number("(^|[^a-z])(nan|inf)([^a-z]|$)", std::regex::icase);
+  for (const auto& [people, step] : {std::pair{1, 0.0}, {1, 0.01}, {3, 0.0}, {12, 0.0}}) {
+    const TestFolder folder;
+    make(folder, "a.db", people, step);
+    report(folder);
+    for (const auto& [name, bytes] : contents(folder.file("out"))) {
+      if (name.find(".pdf") != std::string::npos) continue;
+      const std::string plain = std::regex_replace(bytes, std::regex("base64,[^\"]*"), "");
+      EXPECT_FALSE(std::regex_search(plain, no_number)) << name << " " << people;
+    }
+  }
+}
+
+TEST(Report, ShowsNamesAsTextWhateverTheyHold) {
+  const TestFolder folder;
+  const std::string evil = "<script>alert(1)</script>";
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"<i>P1"}).trial({evil, "\"<b>\"", 10}).answer(evil, 3);
+    log.trial({"it's `touch pwned`", "\"<b>\"", 12}).answer(evil, 4);
+  }
+  report(folder);
+  const std::string page = read_file(folder.file("out/report.html"));
+  EXPECT_EQ(page.find("<script"), std::string::npos);
+  EXPECT_EQ(page.find("<b>\""), std::string::npos);
+  EXPECT_NE(page.find("&lt;script&gt;alert(1)"), std::string::npos);
+}
+
+TEST(Report, RefersToNothingOutsideItself) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  report(folder);
+  const std::string page = read_file(folder.file("out/report.html"));
+  EXPECT_EQ(page.find("http"), std::string::npos);
+  EXPECT_EQ(page.find("@import"), std::string::npos);
+  EXPECT_EQ(page.find("url("), std::string::npos);
+}
+
+TEST(Report, ShowsAStripeOnlyWhenSomethingIsSimulated) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P1"}).trial({}).session({"S1", "finished", true}).trial({});
+  }
+  report(folder);
+  EXPECT_EQ(read_file(folder.file("out/report.html")).find("class=\"stripe\""), std::string::npos);
+  const Json json = report(folder, {true, false, ""});
+  EXPECT_NE(read_file(folder.file("out/report.html")).find("1 of 2 participants are simulated"),
+            std::string::npos);
+  EXPECT_EQ(json["participants"]["analysed"], 2);
+}
+
+void expect_nothing(const TestFolder& folder, const std::string& hint) {
+  try {
+    report(folder);
+    FAIL() << "there was nothing to report";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(hint), std::string::npos) << error.what();
+  }
+  EXPECT_FALSE(fs::exists(folder.file("out")));
+}
+
+TEST(Report, OfNothingFinishedSaysSoAndWritesNothing) {
+  const TestFolder folder;
+  { ToyLog log(folder.file("a.db")); }
+  expect_nothing(folder, "holds no finished trial");
+}
+
+TEST(Report, OfPracticeAloneSaysSo) {
+  const TestFolder folder;
+  { ToyLog(folder.file("a.db")).session({}).trial({.practice = true}); }
+  expect_nothing(folder, "holds no finished trial");
+}
+
+TEST(Report, OfSimulatedPeopleAloneSaysHowToIncludeThem) {
+  const TestFolder folder;
+  { ToyLog(folder.file("a.db")).session({"S1", "finished", true}).trial({}); }
+  expect_nothing(folder, "1 simulated participant is left out, add --include-simulated");
+}
+
+TEST(Report, OfUnfinishedSessionsSaysSo) {
+  const TestFolder folder;
+  { ToyLog(folder.file("a.db")).session({"P1", "stopped"}).trial({}); }
+  expect_nothing(folder, "of a finished session");
+}
+
+TEST(Report, DoesNotOverwriteAFile) {
+  const TestFolder folder;
+  make(folder, "a.db", 2, 0);
+  write_file(folder.file("out"), "precious");
+  EXPECT_THROW(report(folder), InputError);
+  EXPECT_EQ(read_file(folder.file("out")), "precious");
+}
+
+}  // namespace
+}  // namespace promenade::analysis

@@ -1,0 +1,88 @@
+// Colours that can be told apart without hues, by computation.
+#include "app/look.h"
+
+#include <cmath>
+
+namespace promenade::app {
+namespace {
+
+Eigen::Vector3d linear(const Rgb& colour) {
+  Eigen::Vector3d light;
+  for (int k = 0; k < 3; ++k) {
+    const double c = colour[k];
+    light[k] = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  }
+  return light;
+}
+
+// Machado, Oliveira and Fernandes 2009, deuteranopia (severity 1), on linear light.
+Eigen::Vector3d deuteranopic(const Eigen::Vector3d& light) {
+  Eigen::Matrix3d view;
+  view << 0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940,
+      0.968881;
+  return (view * light).cwiseMax(0).cwiseMin(1);
+}
+
+double luminance(const Eigen::Vector3d& light) {
+  return light.dot(Eigen::Vector3d(0.2126, 0.7152, 0.0722));
+}
+
+// CIE L*.
+double lightness(const Eigen::Vector3d& light) {
+  const double y = luminance(light);
+  return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389 / 27;
+}
+
+// WCAG 2.
+double contrast(const Rgb& a, const Rgb& b) {
+  const double one = luminance(linear(a)) + 0.05;
+  const double other = luminance(linear(b)) + 0.05;
+  return std::max(one, other) / std::min(one, other);
+}
+
+double apart_for_deuteranopes(const Rgb& a, const Rgb& b) {
+  return std::abs(lightness(deuteranopic(linear(a))) - lightness(deuteranopic(linear(b))));
+}
+
+TEST(Look, LightnessOfWhiteIs100AndOfMiddleGreyIsAsPublished) {
+  EXPECT_NEAR(lightness(linear(rgb(0xFFFFFF))), 100, 0.01);
+  EXPECT_NEAR(lightness(linear(rgb(0x777777))), 50.0, 0.1);
+}
+
+TEST(Look, TargetAndCreatedDifferInLightnessForDeuteranopes) {
+  const Palette palette = make_palette(false);
+  EXPECT_GE(apart_for_deuteranopes(palette.target, palette.created), 15);
+}
+
+TEST(Look, BothFiguresStandOutFromTheBackground) {
+  const Palette palette = make_palette(false);
+  EXPECT_GE(apart_for_deuteranopes(palette.target, palette.background), 15);
+  EXPECT_GE(apart_for_deuteranopes(palette.created, palette.background), 15);
+}
+
+TEST(Look, TextCanBeRead) {
+  const Palette palette = make_palette(false);
+  EXPECT_GE(contrast(palette.text, palette.background), 7);
+  EXPECT_GE(contrast(palette.quiet, palette.background), 4.5);
+  EXPECT_GE(contrast(palette.on_colour, palette.created), 4.5);
+  EXPECT_GE(contrast(palette.text, palette.target), 4.5);
+}
+
+TEST(Look, PaperColoursAreGreenAndBlue) {
+  const Palette palette = make_palette(true);
+  EXPECT_GT(palette.target.y(), palette.target.x() + palette.target.z());
+  EXPECT_GT(palette.created.z(), palette.created.x() + palette.created.y());
+}
+
+TEST(Look, NoTextIsBelow16Pixels) {
+  ImGui::CreateContext();
+  const Fonts fonts = load_fonts(*ImGui::GetIO().Fonts, 1, {});
+  for (const ImFont* font : {fonts.text, fonts.bold, fonts.reading, fonts.title, fonts.heading}) {
+    // The line of Noto Sans is 1.362 em.
+    EXPECT_GE(font->FontSize, std::floor(16 * 1.362f));
+  }
+  ImGui::DestroyContext();
+}
+
+}  // namespace
+}  // namespace promenade::app

@@ -1,0 +1,130 @@
+#include "tests/app/panel_bench.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+#include "app/session_view.h"
+#include "motion/builtin.h"
+#include "study/study.h"
+
+namespace promenade::app::bench {
+namespace {
+
+std::vector<int> sorted_order(const std::vector<std::string>& names) {
+  std::vector<int> order(names.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
+}  // namespace
+
+const motion::MotionSpace& space() {
+  static const motion::MotionSpace made = motion::make_motion_space(*motion::builtin_set("A"));
+  return made;
+}
+
+const motion::MotionSpace& long_space(int count) {
+  static std::map<int, motion::MotionSpace> made;
+  if (const auto found = made.find(count); found != made.end()) return found->second;
+  motion::MotionSet set = space().set;
+  const std::vector<motion::Cycle> cycles = set.cycles;
+  set.cycles.clear();
+  for (int i = 0; i < count; ++i) {
+    motion::Cycle cycle = cycles[static_cast<std::size_t>(i) % cycles.size()];
+    cycle.style = "a_style_with_a_long_name";
+    cycle.name = cycle.style + "_" + std::to_string(100 + i);
+    set.cycles.push_back(cycle);
+  }
+  return made.emplace(count, motion::make_motion_space(set)).first->second;
+}
+
+study::Parameters standard_parameters(const study::InterfaceType& type) {
+  study::Parameters parameters;
+  for (const study::ParameterSpec& spec : type.parameters) parameters[spec.name] = spec.standard;
+  return parameters;
+}
+
+PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space)
+    : space_(space),
+      type_(*interfaces().find(interface)),
+      texts_(study::load_texts("en")),
+      parameters_(standard_parameters(type_)),
+      names_(cycle_names(space.set, texts_)),
+      by_name_(sorted_order(names_)),
+      content_{space_, texts_, names_, by_name_},
+      gui_(make_palette(false), names_),
+      state_(type_.start({space_, parameters_, study::start_weights(space_), 1})) {
+  gui_.fit(1280, 720);
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+  frame();
+  frame();
+}
+
+void PanelBench::frame() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DeltaTime = 1.0f / 60;
+  queue_.feed(io);
+  widgets_.clear();
+  std::vector<study::ControlInput> changes;
+  ImGui::NewFrame();
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize(io.DisplaySize);
+  ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
+  const Ui ui{gui_.look(), gui_.layout(), widgets_};
+  study::InterfacePanel panel(ui, box(), content_, changes);
+  type_.draw(*state_, panel);
+  ImGui::End();
+  ImGui::Render();
+  vertices_ = ImGui::GetDrawData()->TotalVtxCount;
+  for (const study::ControlInput& change : changes) {
+    if (!state_->apply(change)) throw std::logic_error("the panel reported what cannot be");
+    log_.push_back(change);
+  }
+}
+
+void PanelBench::push(UiEvent event) {
+  queue_.push(event);
+  while (!queue_.empty()) frame();
+}
+
+void PanelBench::move_to(double x, double y) {
+  push({.kind = UiEvent::Kind::move, .x = x, .y = y});
+}
+void PanelBench::press() { push({.kind = UiEvent::Kind::button, .code = 0, .down = true}); }
+void PanelBench::release() { push({.kind = UiEvent::Kind::button, .code = 0, .down = false}); }
+void PanelBench::wheel(double notches) {
+  push({.kind = UiEvent::Kind::wheel, .y = notches});
+  frame();
+}
+
+void PanelBench::key(int glfw_key) {
+  push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = true});
+  push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = false});
+}
+
+void PanelBench::click(const std::string& kind, const std::string& target) {
+  const Widget* widget = find(kind, target);
+  if (widget == nullptr) throw std::logic_error("there is no " + kind + " " + target);
+  move_to(widget->box.middle_x(), widget->box.middle_y());
+  press();
+  release();
+}
+
+void PanelBench::drag(const std::string& target, double value, int steps) {
+  const Widget widget = *find("slide", target);
+  const double from = widget.knob;
+  const double to = widget.at_zero + value * (widget.at_one - widget.at_zero);
+  move_to(from, widget.box.middle_y());
+  press();
+  for (int k = 1; k <= steps; ++k) move_to(from + (to - from) * k / steps, widget.box.middle_y());
+  release();
+}
+
+}  // namespace promenade::app::bench

@@ -1,0 +1,66 @@
+// One interface on a panel, without a window: real widgets, real events, no
+// graphics card.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/gui.h"
+#include "app/panel.h"
+#include "app/registry.h"
+#include "app/window/input_queue.h"
+#include "study/study.h"
+
+namespace promenade::app::bench {
+
+// The built-in set with each cycle once; or `count` cycles with long names made of it.
+const motion::MotionSpace& space();
+const motion::MotionSpace& long_space(int count);
+
+class PanelBench {
+ public:
+  explicit PanelBench(const std::string& interface,
+                      const motion::MotionSpace& space = bench::space());
+
+  // Draws once; what the panel reported is applied, as the session would.
+  void frame();
+  void push(UiEvent event);
+  void move_to(double x, double y);
+  void press();
+  void release();
+  void click(const std::string& kind, const std::string& target);
+  // Takes the knob of a slider to a value, through `steps` places on the way.
+  void drag(const std::string& target, double value, int steps = 5);
+  void key(int glfw_key);
+  void wheel(double notches);
+
+  const Widget* find(const std::string& kind, const std::string& target) const {
+    return widgets_.find(kind, target);
+  }
+  const study::InterfaceType& type() const { return type_; }
+  study::InterfaceState& state() { return *state_; }
+  Eigen::VectorXd weights() const { return state_->weights(0); }
+  const std::vector<study::ControlInput>& log() const { return log_; }  // all reports
+  const study::Texts& texts() const { return texts_; }
+  Box box() const { return gui_.layout().panel(); }
+  int vertices() const { return vertices_; }  // of the last frame
+
+ private:
+  const motion::MotionSpace& space_;
+  const study::InterfaceType& type_;
+  study::Texts texts_;
+  study::Parameters parameters_;
+  std::vector<std::string> names_;
+  std::vector<int> by_name_;
+  study::InterfacePanel::Content content_;
+  Gui gui_;
+  InputQueue queue_;
+  WidgetMap widgets_;
+  std::unique_ptr<study::InterfaceState> state_;
+  std::vector<study::ControlInput> log_;
+  int vertices_ = 0;
+};
+
+study::Parameters standard_parameters(const study::InterfaceType& type);
+
+}  // namespace promenade::app::bench

@@ -1,0 +1,134 @@
+// What every interface owes the program, also those of the future: nothing here
+// names one.
+#include "app/registry.h"
+
+#include <set>
+
+#include "study/rng.h"
+#include "tests/app/panel_bench.h"
+
+namespace promenade::app {
+namespace {
+
+using study::ControlInput;
+using study::InterfaceState;
+using study::InterfaceType;
+using study::Rng;
+
+class EveryInterface : public testing::TestWithParam<std::string> {
+ protected:
+  const InterfaceType& type() const { return *interfaces().find(GetParam()); }
+  std::unique_ptr<InterfaceState> start() const {
+    return type().start({bench::space(), parameters_, study::start_weights(bench::space()), 7});
+  }
+
+ private:
+  study::Parameters parameters_ = bench::standard_parameters(*interfaces().find(GetParam()));
+};
+
+// Likely and unlikely: kinds and targets that exist and not, values out of range.
+ControlInput random_input(const InterfaceType& type, const InterfaceState& state, Rng& rng) {
+  const std::vector<ControlInput> ideas = type.simulate(state, rng);
+  ControlInput input = ideas.empty() ? ControlInput{} : ideas[rng.below(ideas.size())];
+  const double odd[] = {0, 1, -1, 0.5, 1e300, 1e-320, INFINITY, -INFINITY, NAN};
+  if (rng.below(3) == 0) input.value = odd[rng.below(9)];
+  if (rng.below(5) == 0) input.x = odd[rng.below(9)];
+  if (rng.below(5) == 0) input.y = odd[rng.below(9)];
+  if (rng.below(20) == 0) input.target = "nobody";
+  if (rng.below(20) == 0) input.kind = "sing";
+  return input;
+}
+
+TEST_P(EveryInterface, WeightsAreFiniteAndSumToOneWhateverIsDone) {
+  const std::unique_ptr<InterfaceState> state = start();
+  Rng rng(1, 2, "test");
+  for (int k = 0; k < 10'000; ++k) {
+    state->apply(random_input(type(), *state, rng));
+    const Eigen::VectorXd weights = state->weights(1000 * k);
+    ASSERT_TRUE(weights.allFinite()) << k;
+    ASSERT_EQ(weights.size(), bench::space().set.size());
+    // Ten numbers near 1 summed: a few units in the last place of each.
+    ASSERT_NEAR(weights.sum(), 1, 1e-12 * (1 + weights.cwiseAbs().sum())) << k;
+  }
+}
+
+TEST_P(EveryInterface, WhatIsRefusedChangesNothing) {
+  const std::unique_ptr<InterfaceState> state = start();
+  Rng rng(3, 4, "test");
+  for (int k = 0; k < 1000; ++k) {
+    const Eigen::VectorXd before = state->weights(0);
+    const bool applied = state->apply(random_input(type(), *state, rng));
+    ASSERT_TRUE(applied || state->weights(0) == before) << k;
+  }
+}
+
+TEST_P(EveryInterface, ItsOwnProposalsAreAccepted) {
+  const std::unique_ptr<InterfaceState> state = start();
+  Rng rng(5, 6, "test");
+  for (int k = 0; k < 300; ++k) {
+    const std::vector<ControlInput> ideas = type().simulate(*state, rng);
+    ASSERT_FALSE(ideas.empty());
+    for (const ControlInput& idea : ideas) ASSERT_TRUE(state->clone()->apply(idea)) << idea.target;
+    state->apply(ideas.front());
+  }
+}
+
+TEST_P(EveryInterface, AClonesChangesAreItsOwn) {
+  const std::unique_ptr<InterfaceState> state = start();
+  Rng rng(7, 8, "test");
+  const Eigen::VectorXd before = state->weights(0);
+  for (const ControlInput& idea : type().simulate(*state, rng)) state->clone()->apply(idea);
+  EXPECT_EQ(state->weights(0), before);
+}
+
+TEST_P(EveryInterface, DrawingReportsAPlaceForEveryProposal) {
+  bench::PanelBench panel(GetParam());
+  Rng rng(9, 10, "test");
+  for (int k = 0; k < 100; ++k) {
+    for (const ControlInput& idea : type().simulate(panel.state(), rng)) {
+      const Widget* widget = panel.find(idea.kind, idea.target);
+      ASSERT_NE(widget, nullptr) << idea.kind << " " << idea.target;
+      EXPECT_GE(widget->box.height, 28);
+    }
+  }
+}
+
+TEST_P(EveryInterface, DrawsInsideItsPanel) {
+  bench::PanelBench panel(GetParam());
+  const Box box = panel.box();
+  Rng rng(11, 12, "test");
+  for (const ControlInput& idea : type().simulate(panel.state(), rng)) {
+    const Box at = panel.find(idea.kind, idea.target)->box;
+    EXPECT_TRUE(at.x >= box.x && at.right() <= box.right()) << idea.target;
+  }
+}
+
+TEST_P(EveryInterface, LookingAtItChangesNothing) {
+  bench::PanelBench panel(GetParam());
+  for (int k = 0; k < 40; ++k) panel.move_to(850 + 10 * k, 70 + 14 * k);
+  EXPECT_TRUE(panel.log().empty());
+}
+
+TEST_P(EveryInterface, ItsTextsAreThereInEveryLanguage) {
+  for (const std::string& language : study::known_languages()) {
+    const std::vector<std::string> keys = study::load_texts(language).keys();
+    const std::set<std::string> known(keys.begin(), keys.end());
+    for (const std::string& key : type().texts) EXPECT_TRUE(known.count(key)) << language << key;
+    // The instructions say what it is and how it is used.
+    for (const char* part : {".title", ".hint"}) {
+      EXPECT_TRUE(known.count("interface." + GetParam() + part)) << language << part;
+    }
+  }
+}
+
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const InterfaceType& type : interfaces().all()) names.push_back(type.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryInterface, testing::ValuesIn(all_names()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace promenade::app

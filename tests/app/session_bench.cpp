@@ -1,0 +1,87 @@
+#include "tests/app/session_bench.h"
+
+#include <unistd.h>
+
+namespace promenade::app::bench {
+namespace {
+
+std::filesystem::path fresh_file() {
+  static int number = 0;
+  return std::filesystem::temp_directory_path() /
+         ("promenade_app_" + std::to_string(getpid()) + "_" + std::to_string(number++) + ".db");
+}
+
+study::SessionHeader header_of(const std::string& language) {
+  study::SessionHeader header;
+  header.language = language;
+  header.simulated = true;
+  return header;
+}
+
+}  // namespace
+
+SessionBench::SessionBench(const std::string& language, std::uint64_t seed)
+    : file_(fresh_file()),
+      bundle_(study::load_study("configs/demo.toml", interfaces())),
+      texts_(study::load_texts(language)),
+      store_(file_, bundle_),
+      gui_(make_palette(false), shown_words(bundle_, texts_)),
+      live_(study::Session(bundle_, interfaces(),
+                           study::make_plan(bundle_.study, static_cast<int>(seed % 2))),
+            store_, header_of(language), now_us_),
+      view_((gui_.fit(1280, 720), bundle_), interfaces(), texts_, gui_, live_, queue_,
+            {language, "", false, true}),
+      autopilot_(study::SimulatedParticipant(bundle_, interfaces(), seed), "S001") {
+  unsigned char* pixels = nullptr;
+  int width = 0;
+  int height = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
+}
+
+SessionBench::~SessionBench() {
+  for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file_.string() + end);
+}
+
+void SessionBench::frame() {
+  now_us_ += 16'667;
+  view_.frame(now_us_);
+  view_.shown(now_us_ + 8000, 0);
+}
+
+bool SessionBench::play(double minutes, const std::function<bool()>& done) {
+  const auto frames = static_cast<int>(minutes * 3600);
+  for (int k = 0; k < frames; ++k) {
+    if (view_.ended() || done()) return true;
+    autopilot_.act(now_us_, session(), view_.widgets(), queue_);
+    frame();
+  }
+  return false;
+}
+
+void SessionBench::click(const std::string& target) {
+  frame();
+  frame();
+  const Widget* widget = view_.widgets().find("press", target);
+  if (widget == nullptr) throw std::logic_error("there is no button " + target);
+  queue_.push({.kind = UiEvent::Kind::move,
+               .x = widget->box.middle_x(),
+               .y = widget->box.middle_y(),
+               .t_us = now_us_});
+  for (const bool down : {true, false}) {
+    queue_.push({.kind = UiEvent::Kind::button, .code = 0, .down = down, .t_us = now_us_});
+    frame();
+  }
+  frame();
+}
+
+void SessionBench::type(const std::string& text) {
+  frame();
+  frame();
+  for (const char letter : text) {
+    queue_.push({.kind = UiEvent::Kind::character, .code = letter, .t_us = now_us_});
+  }
+  frame();
+  frame();
+}
+
+}  // namespace promenade::app::bench

@@ -1,0 +1,46 @@
+// A whole session on the real pages, without a window: time is a number, the
+// pointer is the autopilot's.
+#pragma once
+
+#include <filesystem>
+
+#include "app/autopilot.h"
+#include "app/registry.h"
+#include "app/session_view.h"
+#include "study/load_study.h"
+
+namespace promenade::app::bench {
+
+class SessionBench {
+ public:
+  explicit SessionBench(const std::string& language = "en", std::uint64_t seed = 1);
+  ~SessionBench();
+
+  void frame();  // 1/60 s
+  // Lets the autopilot work until the session is over or `done` says so. False: it
+  // took more than `minutes`.
+  bool play(
+      double minutes, const std::function<bool()>& done = [] { return false; });
+  void click(const std::string& target);  // a button, with the mouse
+
+  const study::Session& session() const { return live_.session(); }
+  SessionView& view() { return view_; }
+  InputQueue& queue() { return queue_; }
+  const std::filesystem::path& file() const { return file_; }
+  void stop() { view_.stop("test", now_us_); }
+  void type(const std::string& text);
+
+ private:
+  std::int64_t now_us_ = 1'000'000;  // first: the session begins at it
+  std::filesystem::path file_;
+  study::StudyBundle bundle_;
+  study::Texts texts_;
+  study::Store store_;
+  Gui gui_;
+  InputQueue queue_;
+  LiveSession live_;
+  SessionView view_;
+  Autopilot autopilot_;
+};
+
+}  // namespace promenade::app::bench

@@ -1,0 +1,103 @@
+// Whole sessions through the real pages.
+#include "app/session_view.h"
+
+#include "study/sqlite.h"
+#include "tests/app/session_bench.h"
+
+namespace promenade::app {
+namespace {
+
+using bench::SessionBench;
+using study::PageKind;
+
+std::int64_t count(const SessionBench& bench, const std::string& rows) {
+  study::Database database(bench.file().string(), study::Database::Mode::read_only);
+  study::Statement statement(database, "SELECT count(*) FROM " + rows);
+  statement.step();
+  return statement.integer(0);
+}
+
+class EveryLanguage : public testing::TestWithParam<const char*> {};
+
+TEST_P(EveryLanguage, TheAutopilotFinishesTheDemoWithTheMouse) {
+  SessionBench bench(GetParam(), 5);
+  ASSERT_TRUE(bench.play(30));
+  EXPECT_EQ(bench.session().outcome(), study::Outcome::finished);
+  const auto trials = static_cast<std::int64_t>(bench.session().plan().trials.size());
+  EXPECT_EQ(count(bench, "trial WHERE outcome IS NOT NULL"), trials);
+  EXPECT_EQ(count(bench, "session WHERE outcome = 'finished' AND simulated = 1"), 1);
+  EXPECT_GT(count(bench, "event WHERE actor = 'participant' AND kind = 'slide'"), 0);
+  EXPECT_GT(count(bench, "event WHERE actor = 'participant' AND kind = 'pick'"), 0);
+  EXPECT_GE(count(bench, "event WHERE kind = 'press'"), trials);
+}
+
+INSTANTIATE_TEST_SUITE_P(Texts, EveryLanguage, testing::Values("en", "ja"));
+
+TEST(SessionView, WithoutACodeNothingBegins) {
+  SessionBench bench;
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::welcome);
+}
+
+TEST(SessionView, ATypedCodeLeadsToTheConsent) {
+  SessionBench bench;
+  bench.type("P07");
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::consent);
+  EXPECT_EQ(count(bench, "participant WHERE code = 'P07'"), 1);
+}
+
+TEST(SessionView, DecliningEndsItPolitely) {
+  SessionBench bench;
+  bench.type("P07");
+  bench.click("continue");
+  bench.click("decline");
+  EXPECT_EQ(bench.session().page().kind, PageKind::declined);
+  bench.click("continue");
+  EXPECT_TRUE(bench.view().ended());
+  EXPECT_EQ(bench.session().outcome(), study::Outcome::declined);
+}
+
+TEST(SessionView, ClosingTheWindowInATrialAbortsItAndIsLogged) {
+  SessionBench bench;
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+  bench.stop();
+  EXPECT_EQ(bench.session().outcome(), study::Outcome::stopped);
+  EXPECT_EQ(count(bench, "trial WHERE outcome = 'aborted'"), 1);
+}
+
+TEST(SessionView, TimesNeverGoBackAndFramesComeBeforeTheirEvents) {
+  SessionBench bench;
+  ASSERT_TRUE(bench.play(30));
+  EXPECT_EQ(count(bench,
+                  "event a JOIN event b ON b.seq = a.seq + 1 AND a.session = b.session "
+                  "WHERE b.t_us < a.t_us"),
+            0);
+  EXPECT_EQ(count(bench, "event WHERE frame_us > t_us"), 0);
+}
+
+// What is outside the panel, as rectangles in the order drawn.
+std::vector<std::array<float, 4>> outside(SessionBench& bench) {
+  std::vector<std::array<float, 4>> boxes;
+  for (const char* name : {"start_over", "done"}) {
+    const Box box = bench.view().widgets().find("press", name)->box;
+    boxes.push_back({box.x, box.y, box.width, box.height});
+  }
+  const Box stage = bench.view().widgets().find("stage", "stage")->box;
+  boxes.push_back({stage.x, stage.y, stage.width, stage.height});
+  return boxes;
+}
+
+TEST(SessionView, NothingOutsideThePanelDependsOnTheInterface) {
+  std::vector<std::vector<std::array<float, 4>>> seen;
+  for (const std::uint64_t order : {0, 1}) {
+    SessionBench bench("en", order);
+    ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+    bench.frame();
+    seen.push_back(outside(bench));
+  }
+  EXPECT_EQ(seen[0], seen[1]);
+}
+
+}  // namespace
+}  // namespace promenade::app

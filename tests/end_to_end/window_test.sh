@@ -1,0 +1,97 @@
+#!/usr/bin/env bash
+# The real window on a virtual display: a simulated participant plays the demo by
+# mouse, and a real pointer (xdotool) works the first pages.
+set -euo pipefail
+
+program=${PROMENADE:?names the program to test}
+[ -n "${DISPLAY_IS_OURS:-}" ] || exec env DISPLAY_IS_OURS=1 \
+  xvfb-run -a -s "-screen 0 1280x720x24" "$0" "$@"
+
+folder=$(mktemp -d)
+running=
+finish() {
+  [ -z "$running" ] || kill "$running" 2>/dev/null || true
+  rm -rf "$folder"
+}
+trap finish EXIT
+
+expect() {  # expect SAID WANTED FOUND
+  [ "$2" = "$3" ] || { echo "$1: wanted \"$2\", found \"$3\"" >&2; exit 1; }
+}
+ask() { sqlite3 -readonly "$1" "$2"; }
+
+# Waits until a query gives what is wanted; says what it gave last.
+wait_for() {  # wait_for SECONDS DB QUERY WANTED
+  local found=
+  for _ in $(seq $(($1 * 5))); do
+    found=$(ask "$2" "$3" 2>/dev/null || true)
+    [ "$found" = "$4" ] && return
+    sleep 0.2
+  done
+  expect "$3" "$4" "$found"
+}
+
+no_display_says_so() {
+  local status=0
+  env -u DISPLAY -u WAYLAND_DISPLAY "$program" run configs/demo.toml --db "$folder/none.db" \
+    2>"$folder/said" || status=$?
+  expect "exit code without a display" 1 "$status"
+  grep -q "no display" "$folder/said"
+  expect "files left without a display" "" "$(ls "$folder" | grep none || true)"
+}
+
+broken_input_opens_nothing() {
+  local status=0
+  "$program" run "$folder/missing.toml" --db "$folder/missing.db" 2>/dev/null || status=$?
+  expect "exit code of a missing study" 2 "$status"
+  status=0
+  "$program" run configs/demo.toml --language xx --db "$folder/missing.db" 2>/dev/null || status=$?
+  expect "exit code of an unknown language" 2 "$status"
+  expect "files left by broken input" "" "$(ls "$folder" | grep missing || true)"
+}
+
+autopilot_plays_the_demo() {
+  local db=$folder/auto.db
+  timeout 600 "$program" run configs/demo.toml --autopilot 1 --windowed --db "$db"
+  expect "sessions" "finished|1" "$(ask "$db" "SELECT outcome, simulated FROM session")"
+  expect "trials without an outcome" 0 \
+    "$(ask "$db" "SELECT count(*) FROM trial WHERE outcome IS NULL")"
+  expect "trials that count" 4 "$(ask "$db" "SELECT count(*) FROM trial WHERE practice = 0")"
+  expect "trials without presses" 0 "$(ask "$db" "SELECT count(*) FROM trial WHERE NOT EXISTS
+    (SELECT 1 FROM event WHERE trial = trial.uuid AND kind = 'press' AND actor = 'participant')")"
+  expect "changes that are no events" 0 "$(ask "$db" "SELECT count(*) FROM trial WHERE changes <>
+    (SELECT count(*) FROM event WHERE trial = trial.uuid AND actor = 'participant'
+     AND kind IN ('pick', 'slide', 'only'))")"
+  expect "trials without samples" 0 "$(ask "$db" "SELECT count(*) FROM trial WHERE NOT EXISTS
+    (SELECT 1 FROM sample WHERE trial = trial.uuid)")"
+}
+
+click() { xdotool mousemove "$1" "$2" sleep 0.2 click 1 sleep 0.3; }
+
+a_real_mouse_works_the_first_pages() {
+  local db=$folder/mouse.db
+  "$program" run configs/demo.toml --windowed --pilot --station lab --db "$db" &
+  running=$!
+  xdotool search --sync --onlyvisible --name demo >/dev/null
+  sleep 1
+  click 460 385  # the field for the code
+  xdotool type --delay 60 P07
+  click 860 664  # Start
+  wait_for 20 "$db" "SELECT code FROM participant" P07
+  click 860 664  # I agree
+  wait_for 20 "$db" "SELECT count(*) FROM event WHERE kind = 'page' AND target = 'instructions'" 1
+  expect "presses" 3 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
+    AND actor = 'participant' AND uncertainty_us >= 0 AND x > 0")"
+  kill -INT "$running"
+  wait "$running" || true
+  running=
+  expect "session" "stopped|0|1|lab" \
+    "$(ask "$db" "SELECT outcome, simulated, pilot, station FROM session")"
+}
+
+cd "${PROMENADE_SOURCE_DIR:-$(dirname "$0")/../..}"
+no_display_says_so
+broken_input_opens_nothing
+a_real_mouse_works_the_first_pages
+autopilot_plays_the_demo
+echo "the window works"

@@ -1,0 +1,114 @@
+#include "motion/foot_plant.h"
+
+#include <gtest/gtest.h>
+
+#include "motion/bvh.h"
+#include "motion/files.h"
+#include "motion/set_builder.h"
+#include "motion/set_file.h"
+#include "tests/motion/walker.h"
+
+namespace promenade::motion {
+namespace {
+
+MotionSet walkers() { return builtin_set("A").value(); }
+
+double slide(const MotionSet& set, const Cycle& cycle) {
+  return std::max(stance_slide_m(set, cycle, Side::left), stance_slide_m(set, cycle, Side::right));
+}
+
+TEST(StanceSlide, IsTheWayThatTheGroundIsTooFast) {
+  const MotionSet set = walkers();
+  Cycle sliding = set.cycles[0];
+  sliding.velocity.y() += 0.2;
+  const double stance = sliding.keytimes[4] - sliding.keytimes[1];
+  EXPECT_NEAR(stance_slide_m(set, sliding, Side::right), 0.2 * stance, 0.3 * 0.2 * stance);
+}
+
+TEST(PlantFeet, HoldsFeetThatSlide) {
+  const MotionSet set = walkers();
+  Cycle cycle = set.cycles[0];
+  cycle.velocity.y() *= 1.07;
+  EXPECT_GT(slide(set, cycle), 0.03);
+  plant_feet(set, cycle);
+  EXPECT_LT(slide(set, cycle), 0.008);
+}
+
+TEST(PlantFeet, KeepsBonesAndTheLoop) {
+  const MotionSet set = walkers();
+  Cycle cycle = set.cycles[1];
+  cycle.velocity.y() *= 1.05;
+  plant_feet(set, cycle);
+  EXPECT_LT((cycle.rotations.colwise().norm().array() - 1).abs().maxCoeff(), 1e-12);
+  EXPECT_LT(seam(set, cycle).position_m, 1e-4);
+}
+
+TEST(Seam, ShowsAJumpInOneJoint) {
+  const MotionSet set = walkers();
+  Cycle cycle = set.cycles[0];
+  const double smooth = seam(set, cycle).gap_m;
+  cycle.root.col(0).y() += 0.05;
+  EXPECT_GT(seam(set, cycle).gap_m, smooth + 0.04);
+}
+
+TEST(MoveFoot, BringsTheAnkleWhereItIsWanted) {
+  const MotionSet set = walkers();
+  const std::vector<Pose> poses = {pose_at(set, set.cycles[0], 0.2)};
+  const int ankle = set.body.joint[left_ankle];
+  const WorldPose before = forward_kinematics(set.skeleton, poses[0]);
+  const FootTarget target{before.positions.col(ankle) + Eigen::Vector3d(0.02, 0.03, -0.05),
+                          before.rotations[static_cast<std::size_t>(ankle)]};
+  Pose pose = poses[0];
+  move_foot(set.skeleton, set.body, Side::left,
+            knee_axis(set.skeleton, set.body, Side::left, poses), target, pose);
+  const WorldPose after = forward_kinematics(set.skeleton, pose);
+  EXPECT_LT((after.positions.col(ankle) - target.ankle).norm(), 1e-12);
+  EXPECT_LT(after.rotations[static_cast<std::size_t>(ankle)].angularDistance(target.rotation),
+            1e-7);
+}
+
+// Takes of three generated walkers on disk, in a folder of the test's own.
+std::vector<TakeSource> recorded_walkers() {
+  const MotionSet set = walkers();
+  std::vector<TakeSource> sources;
+  for (const int i : {0, 1, 2}) {
+    const Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
+    const std::string file = testing::TempDir() + "/walker_" + cycle.style + ".bvh";
+    write_file(file, bvh_text(walker_clip(set, cycle, 4)));
+    sources.push_back({file, cycle.style + ".bvh", cycle.style});
+  }
+  return sources;
+}
+
+TEST(BuildSet, FindsTheCycleThatAWalkerRepeats) {
+  const BuiltSet built = build_set(recorded_walkers(), {});
+  ASSERT_EQ(built.set.size(), 3);
+  const MotionSet made = walkers();
+  for (const Cycle& cycle : built.set.cycles) {
+    EXPECT_EQ(cycle.name, cycle.style + "_1");
+    const auto original = std::find_if(made.cycles.begin(), made.cycles.end(),
+                                       [&](const Cycle& c) { return c.style == cycle.style; });
+    EXPECT_NEAR(cycle.seconds, original->seconds, 0.02);
+    EXPECT_LT(cycle.loop_error_m, 0.005);
+    EXPECT_LT(slide(built.set, cycle), 0.008);
+  }
+}
+
+TEST(BuildSet, DoesNotDependOnTheOrderOfTakes) {
+  std::vector<TakeSource> sources = recorded_walkers();
+  const std::string bytes = to_bytes(build_set(sources, {}).set);
+  std::reverse(sources.begin(), sources.end());
+  EXPECT_EQ(to_bytes(build_set(sources, {}).set), bytes);
+}
+
+TEST(BuildSet, RefusesAFigureThatStandsStill) {
+  const MotionSet set = walkers();
+  Clip clip = walker_clip(set, set.cycles[0], 3);
+  for (int f = 1; f < clip.frames(); ++f) clip.values.col(f) = clip.values.col(0);
+  const std::string file = testing::TempDir() + "/still.bvh";
+  write_file(file, bvh_text(clip));
+  EXPECT_THROW(build_set({{file, "still.bvh", "still"}}, {}), InputError);
+}
+
+}  // namespace
+}  // namespace promenade::motion
