@@ -51,26 +51,6 @@ void integrate(const MotionSet& set, const Eigen::Matrix2Xd& velocity, Cycle& cy
   set_planar_path(set, path, cycle);
 }
 
-void blend_keytimes(const MotionSet& set, const Eigen::VectorXd& weights, Cycle& cycle) {
-  cycle.keytimes.assign(set.key_phases.size(), 0);
-  // Steps between keytimes are blended, and each is held to the range of the set:
-  // the sums are the blended keytimes and stay in order whatever the weights are.
-  for (std::size_t k = 1; k < cycle.keytimes.size(); ++k) {
-    double step = 0;
-    double least = INFINITY;
-    double most = 0;
-    for (int i = 0; i < set.size(); ++i) {
-      const std::vector<double>& times = set.cycles[static_cast<std::size_t>(i)].keytimes;
-      const double own = times[k] - times[k - 1];
-      step += weights(i) * own;
-      least = std::min(least, own);
-      most = std::max(most, own);
-    }
-    cycle.keytimes[k] = cycle.keytimes[k - 1] + std::clamp(step, least, most);
-  }
-  cycle.seconds = cycle.keytimes.back();
-}
-
 void blend_rotations(const MotionSpace& space, const Eigen::VectorXd& x, Cycle& cycle) {
   const Eigen::Index columns = space.average.cols();
   cycle.rotations.resize(4, columns);
@@ -112,12 +92,33 @@ MotionSpace make_motion_space(MotionSet set) {
   return space;
 }
 
+void blend_keytimes(const MotionSet& set, const Eigen::VectorXd& weights,
+                    std::vector<double>& keytimes) {
+  keytimes.assign(set.key_phases.size(), 0);
+  // Steps between keytimes are blended, and each is held to the range of the set:
+  // the sums are the blended keytimes and stay in order whatever the weights are.
+  for (std::size_t k = 1; k < keytimes.size(); ++k) {
+    double step = 0;
+    double least = INFINITY;
+    double most = 0;
+    for (int i = 0; i < set.size(); ++i) {
+      const std::vector<double>& times = set.cycles[static_cast<std::size_t>(i)].keytimes;
+      const double own = times[k] - times[k - 1];
+      step += weights(i) * own;
+      least = std::min(least, own);
+      most = std::max(most, own);
+    }
+    keytimes[k] = keytimes[k - 1] + std::clamp(step, least, most);
+  }
+}
+
 Cycle blend(const MotionSpace& space, const Eigen::VectorXd& weights) {
   const MotionSet& set = space.set;
   assert(weights.size() == set.size() && "one weight for each cycle");
   const Eigen::VectorXd x = space.offsets * weights;
   Cycle cycle;
-  blend_keytimes(set, weights, cycle);
+  blend_keytimes(set, weights, cycle.keytimes);
+  cycle.seconds = cycle.keytimes.back();
   blend_rotations(space, x, cycle);
   cycle.root.resize(3, set.phases);
   cycle.root.row(1) =

@@ -26,4 +26,9 @@ MotionSpace make_motion_space(MotionSet set);
 // clamped to the range of the set). A unit weight gives that example, to 1e-9.
 Cycle blend(const MotionSpace& space, const Eigen::VectorXd& weights);
 
+// The keytimes of that cycle (M+1, seconds from 0). Allocation-free when `keytimes`
+// has room.
+void blend_keytimes(const MotionSet& set, const Eigen::VectorXd& weights,
+                    std::vector<double>& keytimes);
+
 }  // namespace promenade::motion

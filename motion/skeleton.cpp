@@ -11,9 +11,8 @@ int find_joint(const Skeleton& skeleton, const std::string& name) {
   return -1;
 }
 
-WorldPose forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
+void forward_kinematics(const Skeleton& skeleton, const Pose& pose, WorldPose& world) {
   assert(pose.rotations.size() == skeleton.joints.size() && "a pose turns every joint");
-  WorldPose world;
   world.positions.resize(3, skeleton.size());
   world.rotations.resize(skeleton.joints.size());
   for (int j = 0; j < skeleton.size(); ++j) {
@@ -29,6 +28,11 @@ WorldPose forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
         world.positions.col(joint.parent) + world.rotations[parent] * joint.offset;
     world.rotations[index] = world.rotations[parent] * pose.rotations[index];
   }
+}
+
+WorldPose forward_kinematics(const Skeleton& skeleton, const Pose& pose) {
+  WorldPose world;
+  forward_kinematics(skeleton, pose, world);
   return world;
 }
 

@@ -45,4 +45,7 @@ struct WorldPose {
 
 WorldPose forward_kinematics(const Skeleton& skeleton, const Pose& pose);
 
+// The same; allocation-free when `world` has J joints already.
+void forward_kinematics(const Skeleton& skeleton, const Pose& pose, WorldPose& world);
+
 }  // namespace promenade::motion

@@ -1,12 +1,269 @@
+// `promenade model`: the models behind the interfaces, without an interface.
+#include <fmt/format.h>
+
+#include <memory>
+
 #include "app/commands.h"
-#include "motion/problem.h"
+#include "app/commands/model_adjectives.h"
+#include "app/commands/numbers.h"
+#include "app/print.h"
+#include "motion/cycle_clip.h"
+#include "motion/models/adjectives.h"
+#include "motion/models/features.h"
+#include "motion/models/map.h"
+#include "study/study.h"
 
 namespace promenade::app {
+namespace {
+
+using Eigen::VectorXd;
+
+std::vector<double> list(const Eigen::Ref<const VectorXd>& values) {
+  return {values.begin(), values.end()};
+}
+
+// "1.5,2,-3\n" behind a name.
+std::string csv_row(const std::string& name, const Eigen::Ref<const VectorXd>& values) {
+  std::string row = csv_cell(name);
+  for (const double value : values) row += fmt::format(",{}", value);
+  return row + "\n";
+}
+
+VectorXd blend_weights(const motion::MotionSet& set, const std::string& text) {
+  VectorXd weights = parse_numbers("--weights", text);
+  if (weights.size() != set.size()) {
+    throw InputError("--weights", fmt::format("{} weights for the {} cycles of {}; give one for "
+                                              "each, in the order of `set info`",
+                                              weights.size(), set.size(), set.name));
+  }
+  const double sum = weights.sum();
+  if (std::abs(sum - 1) > 1e-3)
+    throw InputError("--weights", fmt::format("the weights sum to {}, not to 1", sum));
+  return weights / sum;
+}
+
+// As many frames as the blended cycles have, so that a unit weight gives the frames that
+// `set export` writes for that cycle.
+motion::Cycle blended_cycle(const motion::MotionSpace& space, const VectorXd& weights) {
+  motion::Cycle cycle = motion::blend(space, weights);
+  double frames = 0;
+  for (int i = 0; i < space.set.size(); ++i) {
+    frames += weights(i) * space.set.cycles[static_cast<std::size_t>(i)].frames;
+  }
+  cycle.frames = std::max(0, static_cast<int>(std::round(frames)));
+  return cycle;
+}
+
+struct Frames {
+  std::vector<std::string> joints;
+  std::vector<Eigen::Matrix3Xd> positions;  // of each frame, 3 x J, metres
+  double frame_time = 0;
+};
+
+Frames play(const motion::MotionSet& set, const motion::Cycle& cycle) {
+  const motion::Clip clip = motion::cycle_clip(set, cycle);
+  Frames frames;
+  frames.frame_time = clip.frame_time;
+  for (const motion::Joint& joint : set.skeleton.joints) frames.joints.push_back(joint.name);
+  for (int f = 0; f < clip.frames(); ++f) {
+    frames.positions.push_back(motion::forward_kinematics(clip, f).positions);
+  }
+  return frames;
+}
+
+Json position_json(const Eigen::Matrix3Xd& positions) {
+  Json points = Json::array();
+  for (const auto& at : positions.colwise()) points.push_back({at.x(), at.y(), at.z()});
+  return points;
+}
+
+std::string frames_csv(const Frames& frames) {
+  std::string text = "frame,joint,x,y,z\n";
+  for (std::size_t f = 0; f < frames.positions.size(); ++f) {
+    for (std::size_t j = 0; j < frames.joints.size(); ++j) {
+      const Eigen::Vector3d at = frames.positions[f].col(static_cast<Eigen::Index>(j));
+      text +=
+          fmt::format("{},{},{},{},{}\n", f, csv_cell(frames.joints[j]), at.x(), at.y(), at.z());
+    }
+  }
+  return text;
+}
+
+void show_blend(const std::string& name, const std::string& weights_text, bool csv) {
+  const motion::MotionSpace space = motion::make_motion_space(study::load_motion_set(name, ""));
+  const VectorXd weights = blend_weights(space.set, weights_text);
+  const motion::Cycle cycle = blended_cycle(space, weights);
+  const Frames frames = play(space.set, cycle);
+  if (csv) return print_text(frames_csv(frames));
+  Json positions = Json::array();
+  for (const Eigen::Matrix3Xd& one : frames.positions) positions.push_back(position_json(one));
+  print_json({{"weights", list(weights)},
+              {"seconds", cycle.seconds},
+              {"keytimes", cycle.keytimes},
+              {"frames", frames.positions.size()},
+              {"frame_time", frames.frame_time},
+              {"velocity", {cycle.velocity.x(), cycle.velocity.y()}},
+              {"unit", "m"},
+              {"joints", frames.joints},
+              {"positions", positions}});
+}
+
+struct MapArguments {
+  std::string set, at;
+  bool json = false, csv = false, mahalanobis = false;
+  int clusters = 3;
+};
+
+// Weights of one map point under each heuristic; random ones need a seed and are left
+// out.
+Json point_json(const motion::Pca& pca, motion::MapOptions options, const Eigen::Vector2d& at) {
+  Json result = {{"at", {at.x(), at.y()}}};
+  const std::pair<const char*, motion::MapHeuristic> heuristics[] = {
+      {"zero", motion::MapHeuristic::zero},
+      {"closest", motion::MapHeuristic::closest},
+      {"weights", motion::MapHeuristic::weights}};
+  for (const auto& [name, heuristic] : heuristics) {
+    options.heuristic = heuristic;
+    options.glide_s = 0;
+    const motion::Minimap map = motion::make_minimap(pca, options);
+    const motion::MapState state = motion::move(map, motion::start_map(map), {at, true, 0}, {});
+    VectorXd weights;
+    motion::weights_at(map, state, 0, weights);
+    result[name] = {{"point", {state.point.x(), state.point.y()}}, {"weights", list(weights)}};
+  }
+  return result;
+}
+
+Json examples_json(const motion::MotionSet& set, const motion::Pca& pca, const motion::Minimap& map,
+                   const std::vector<int>& clusters) {
+  Json examples = Json::array();
+  for (int i = 0; i < set.size(); ++i) {
+    const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
+    examples.push_back({{"name", cycle.name},
+                        {"style", cycle.style},
+                        {"x", map.examples(0, i)},
+                        {"y", map.examples(1, i)},
+                        {"cluster", clusters[static_cast<std::size_t>(i)]},
+                        {"coordinates", list(pca.coordinates.col(i))}});
+  }
+  return examples;
+}
+
+void show_map(const MapArguments& given) {
+  const motion::MotionSpace space =
+      motion::make_motion_space(study::load_motion_set(given.set, ""));
+  const motion::Pca pca = motion::principal_components(space);
+  if (pca.components() == 0)
+    throw InputError(given.set, "all its cycles are alike; a map needs two that differ");
+  motion::MapOptions options;
+  if (given.mahalanobis) options.metric = motion::MapMetric::mahalanobis;
+  const motion::Minimap map = motion::make_minimap(pca, options);
+  const int clusters = std::clamp(given.clusters, 1, space.set.size());
+  const std::vector<int> labels = motion::cut(motion::ward(map.examples), clusters);
+  if (given.csv) {
+    std::string text = "name,x,y,cluster\n";
+    for (int i = 0; i < space.set.size(); ++i) {
+      const auto index = static_cast<std::size_t>(i);
+      text += fmt::format("{},{},{},{}\n", csv_cell(space.set.cycles[index].name),
+                          map.examples(0, i), map.examples(1, i), labels[index]);
+    }
+    return print_text(text);
+  }
+  Json document = {{"set", space.set.name},
+                   {"metric", given.mahalanobis ? "mahalanobis" : "euclidean"},
+                   {"components", map.components()},
+                   {"variances", list(pca.variances)},
+                   {"explained", list(pca.variances / pca.total_variance)},
+                   {"point_limit", map.point_limit},
+                   {"rest_limit", map.rest_limit},
+                   {"examples", examples_json(space.set, pca, map, labels)}};
+  if (!given.at.empty()) {
+    const VectorXd at = parse_numbers("--at", given.at);
+    if (at.size() != 2) throw InputError("--at", "a map point has two numbers, x,y");
+    document["point"] = point_json(pca, options, at);
+  }
+  print_json(document);
+}
+
+void show_features(const std::string& name, bool csv) {
+  const motion::MotionSet set = study::load_motion_set(name, "");
+  const Eigen::MatrixXd values = motion::motion_features(set);
+  const auto names = motion::feature_names();
+  if (csv) {
+    std::string text = "name";
+    for (const std::string_view feature : names) text += fmt::format(",{}", feature);
+    text += "\n";
+    for (int i = 0; i < set.size(); ++i) {
+      text += csv_row(set.cycles[static_cast<std::size_t>(i)].name, values.col(i));
+    }
+    return print_text(text);
+  }
+  Json document = {{"features", Json::array()}, {"units", Json::array()}, {"rows", Json::array()}};
+  for (int k = 0; k < motion::feature_count; ++k) {
+    document["features"].push_back(names[static_cast<std::size_t>(k)]);
+    document["units"].push_back(motion::feature_unit(k));
+  }
+  for (int i = 0; i < set.size(); ++i) {
+    const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
+    document["rows"].push_back(
+        {{"name", cycle.name}, {"style", cycle.style}, {"values", list(values.col(i))}});
+  }
+  if (set.size() > 1) {
+    document["clusters"] =
+        motion::cluster_rows(motion::scaled_to_range(values), 4).cluster;  // of each feature
+  }
+  print_json(document);
+}
+
+void add_blend(CLI::App& model) {
+  struct Arguments {
+    std::string set, weights;
+    bool json = false, csv = false;
+  };
+  auto* command = model.add_subcommand("blend", "The cycle of blend weights, as joint positions");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("--weights", given->weights, "w1,w2,...: one for each cycle, sum 1")
+      ->required();
+  command->add_flag("--csv", given->csv, "Rows of frame, joint, x, y, z");
+  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
+  command->callback([given] { show_blend(given->set, given->weights, given->csv); });
+}
+
+void add_map(CLI::App& model) {
+  auto* command = model.add_subcommand("map", "Where the cycles lie on the minimap");
+  const auto given = std::make_shared<MapArguments>();
+  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("--at", given->at, "x,y: the weights of this point under each heuristic");
+  command->add_option("--clusters", given->clusters, "Clusters of the dots (Ward)");
+  command->add_flag("--mahalanobis", given->mahalanobis, "Axes in standard deviations");
+  command->add_flag("--csv", given->csv, "Rows of name, x, y, cluster");
+  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
+  command->callback([given] { show_map(*given); });
+}
+
+void add_features(CLI::App& model) {
+  struct Arguments {
+    std::string set;
+    bool json = false, csv = false;
+  };
+  auto* command = model.add_subcommand("features", "The 51 motion features of every cycle");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_flag("--csv", given->csv, "A row for each cycle");
+  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
+  command->callback([given] { show_features(given->set, given->csv); });
+}
+
+}  // namespace
 
 void add_model_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("model", "(not in this version yet)");
-  command->allow_extras();
-  command->callback([] { throw OutsideError("model is not in this version of Promenade yet"); });
+  CLI::App* command = program.add_subcommand("model", "The models behind the interfaces");
+  command->require_subcommand(1);
+  add_blend(*command);
+  add_map(*command);
+  add_features(*command);
+  add_model_adjectives(*command);
 }
 
 }  // namespace promenade::app
