@@ -1,4 +1,4 @@
-// What a study is, as its file says it (docs/experimenters.md describes the
+// What a study is, as its file says it (docs/study-file.md describes the
 // file), and with everything it names at hand.
 #pragma once
 

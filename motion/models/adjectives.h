@@ -1,5 +1,5 @@
 // From people's ratings to a few primary adjective parameters ([O] 3-4, Eqs. 1-6;
-// method.md 3): means and deviations, pairs that say nothing dropped, the others
+// docs/methods.md, 8): means and deviations, pairs that say nothing dropped, the others
 // scaled and clustered, and each cluster's mean.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The centre of mass of the body from de Leva 1996, male (method.md 4).
+// The centre of mass of the body from de Leva 1996, male (docs/methods.md, 9).
 #pragma once
 
 #include <span>

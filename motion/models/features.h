@@ -1,4 +1,4 @@
-// The 51 motion features of a cycle ([O] 5; method.md 4): sigma is the standard
+// The 51 motion features of a cycle ([O] 5; docs/methods.md, 9): sigma is the standard
 // deviation and mu the mean over the time of the cycle, of the angle of a body part
 // or of the centre of mass in the heading frame of the cycle (ahead +Z, left +X).
 //

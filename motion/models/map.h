@@ -1,4 +1,4 @@
-// The minimap ([N] 5.4-5.5; method.md 2): a point of the plane is a motion. The first
+// The minimap ([N] 5.4-5.5; docs/methods.md, 7): a point of the plane is a motion. The first
 // two principal components are the cursor; a heuristic says what the others are. Here
 // is the model only: a state that changes with events and weights that are a function
 // of those events and the time, never of frames, so that a replay meets them again.

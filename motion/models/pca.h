@@ -1,4 +1,4 @@
-// Principal components of motion offsets (method.md 1), of any data, and their
+// Principal components of motion offsets (docs/methods.md, 7), of any data, and their
 // equal from distances, classical scaling. One rule: one column an example.
 //
 // The offsets have thousands of rows and few columns, so the components come from

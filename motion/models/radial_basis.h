@@ -1,6 +1,6 @@
 // From parameters (adjectives, features) to blend weights: a linear map plus cubic
 // radial basis functions, in cardinal form ([O] Eq. 7; Rose 1998, Park 2004;
-// method.md 3). The raw weights are e_j at example j and sum to 1 everywhere. Fit it
+// docs/methods.md, 8). The raw weights are e_j at example j and sum to 1 everywhere. Fit it
 // again whenever the set of sliders changes: any number of them works.
 #pragma once
 

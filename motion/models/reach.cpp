@@ -4,8 +4,6 @@
 #include <cassert>
 #include <numeric>
 
-#include "motion/models/quantile.h"
-
 namespace promenade::motion {
 namespace {
 
@@ -78,18 +76,6 @@ Reach reach(const PoseBank& bank, const DistancePoints& target, const ReachProbl
     result.best_at = found.at;
   }
   return result;
-}
-
-double automatic_threshold(const std::vector<DistancePoints>& cycles,
-                           const std::vector<double>& start_m) {
-  assert(cycles.size() > 1 && "a distance is between two cycles");
-  std::vector<double> between;
-  for (std::size_t i = 0; i < cycles.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) between.push_back(distance(cycles[i], cycles[j]).mean_m);
-  }
-  double threshold = 0.5 * quantile(std::move(between), 0.5);
-  for (const double d : start_m) threshold = std::min(threshold, 0.95 * d);
-  return threshold;
 }
 
 }  // namespace promenade::motion

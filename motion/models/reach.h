@@ -1,5 +1,5 @@
 // What an interface can do for a target at best, at its start, and by luck: the three
-// figures that make a target fair between interfaces (method.md 5). An interface is a
+// figures that make a target fair between interfaces (docs/methods.md, 10). An interface is a
 // map from its parameters to weights; no user interface is needed.
 #pragma once
 
@@ -38,11 +38,5 @@ struct Reach {
 // `uniform` draws from [0, 1): the caller's generator makes it reproducible.
 Reach reach(const PoseBank& bank, const DistancePoints& target, const ReachProblem& problem,
             const std::function<double()>& uniform, const ReachOptions& = {});
-
-// The automatic threshold of a motion set (method.md 5, ours): half the median distance
-// between its cycles, but never above what leaves every target unwon at the start,
-// that is, 0.95 of the least D of a target at the start.
-double automatic_threshold(const std::vector<DistancePoints>& cycles,
-                           const std::vector<double>& start_m);
 
 }  // namespace promenade::motion

@@ -73,13 +73,5 @@ TEST_F(Reachable, DoesNotDependOnAnythingButItsInput) {
   EXPECT_EQ(a.best_at, b.best_at);
 }
 
-TEST(TheAutomaticThreshold, IsHalfTheMedianDistanceUnlessATargetWouldBeWon) {
-  std::vector<DistancePoints> cycles(3, DistancePoints::Zero());
-  cycles[1].row(0).setConstant(0.1);
-  cycles[2].row(0).setConstant(0.4);  // distances 0.1, 0.3, 0.4
-  EXPECT_NEAR(automatic_threshold(cycles, {}), 0.15, 1e-12);
-  EXPECT_NEAR(automatic_threshold(cycles, {0.3, 0.08}), 0.076, 1e-12);
-}
-
 }  // namespace
 }  // namespace promenade::motion
