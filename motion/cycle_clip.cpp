@@ -28,9 +28,13 @@ Vector3d unwrapped(Vector3d angles, const Vector3d& before) {
   return angles;
 }
 
+// At the most as many as ten seconds have at a thousand a second: what a damaged file says
+// must not fill the disk.
+constexpr int most_frames = 10'000;
+
 int frame_count(const Cycle& cycle) {
-  const double made = std::min(std::round(60 * cycle.seconds), 1e5);
-  return std::clamp(cycle.frames > 0 ? cycle.frames : static_cast<int>(made), 2, 100'000);
+  const double made = std::min(std::round(60 * cycle.seconds), double{most_frames});
+  return std::clamp(cycle.frames > 0 ? cycle.frames : static_cast<int>(made), 2, most_frames);
 }
 
 void set_channels(Clip& clip) {

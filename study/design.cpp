@@ -32,6 +32,7 @@ std::vector<std::vector<int>> latin_square(int n) {
   std::vector<std::vector<int>> rows;
   for (int r = 0; r < n; ++r) {
     std::vector<int> row;
+    row.reserve(static_cast<std::size_t>(n));
     for (int c = 0; c < n; ++c) row.push_back((r + c) % n);
     rows.push_back(row);
   }

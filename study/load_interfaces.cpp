@@ -27,7 +27,7 @@ ParameterValue read_parameter(const TomlTable& table, const ParameterSpec& spec)
     return spec.standard;
   }
   if (!is_choice(spec, *value)) {
-    const std::string& word = std::get<std::string>(*value);
+    const auto& word = std::get<std::string>(*value);
     table.error(spec.name, "\"" + spec.name + "\" is \"" + word + "\", but must be one of " +
                                quoted_list(spec.choices) + did_you_mean(word, spec.choices));
     return spec.standard;

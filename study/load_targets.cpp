@@ -81,10 +81,10 @@ Target read_target(const TomlTable& table, const StudyContext& context) {
   const auto blend = read_weights(table, context);
   if (blend) target.weights = blend;
   if (example == table.has("weights")) {
-    table.error("a target needs either \"example\" or \"weights\"");
+    table.error(R"(a target needs either "example" or "weights")");
   }
   if (target.name.empty() && example) target.name = table.text("example").value_or("");
-  if (target.name.empty() && !example) table.error("a target of \"weights\" needs a \"name\"");
+  if (target.name.empty() && !example) table.error(R"(a target of "weights" needs a "name")");
   return target;
 }
 
@@ -119,6 +119,7 @@ void warn_of_labels(const TomlTable& table, const Target& target, const StudyCon
 
 std::vector<std::string> names_of(const std::vector<Target>& targets) {
   std::vector<std::string> names;
+  names.reserve(targets.size());
   for (const Target& target : targets) names.push_back(target.name);
   return names;
 }
@@ -129,6 +130,7 @@ std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context) {
   std::vector<Target> targets;
   const std::vector<TomlTable> tables = task.tables(key);
+  targets.reserve(tables.size());
   for (const TomlTable& table : tables) targets.push_back(read_target(table, context));
   refuse_doubles(tables, names_of(targets), "target");
   if (targets.empty() && key == "targets" && task.is(key, TomlValue::Kind::array)) {

@@ -80,7 +80,7 @@ void read_threshold(const TomlTable& table, const StudyContext& context, Task& t
 void read_match(const TomlTable& table, const StudyContext& context, Task& task) {
   task.targets = read_targets(table, "targets", context);
   task.practice = read_targets(table, "practice", context);
-  if (!table.has("targets")) table.error("a \"match\" task needs \"targets\"");
+  if (!table.has("targets")) table.error(R"(a "match" task needs "targets")");
   read_threshold(table, context, task);
   const double dwell_ms = table.number("dwell_ms", 0, longest_dwell_ms).value_or(500);
   task.dwell_us = static_cast<std::int64_t>(dwell_ms * 1000);
@@ -89,7 +89,7 @@ void read_match(const TomlTable& table, const StudyContext& context, Task& task)
 void read_find(const TomlTable& table, const StudyContext& context, Task& task) {
   task.targets = read_qualities(table, "qualities", context);
   task.practice = read_qualities(table, "practice", context);
-  if (!table.has("qualities")) table.error("a \"find\" task needs \"qualities\"");
+  if (!table.has("qualities")) table.error(R"(a "find" task needs "qualities")");
 }
 
 Task read_task(const TomlTable& table, const StudyContext& context) {

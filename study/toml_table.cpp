@@ -69,13 +69,13 @@ std::string TomlTable::required_text(std::string_view key) const {
 
 std::optional<std::string> TomlTable::choice(std::string_view key,
                                              const std::vector<std::string>& choices) const {
-  const std::optional<std::string> found = text(key);
+  std::optional<std::string> found = text(key);
   if (!found) return std::nullopt;
   for (const std::string& choice : choices) {
     if (choice == *found) return found;
   }
   const std::string meant = did_you_mean(*found, choices);
-  error(key, fmt::format("\"{}\" is \"{}\", but must be one of {}{}", key, *found,
+  error(key, fmt::format(R"("{}" is "{}", but must be one of {}{})", key, *found,
                          quoted_list(choices), meant));
   return std::nullopt;
 }

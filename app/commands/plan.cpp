@@ -99,6 +99,7 @@ void run(const Options& options) {
   const study::StudyBundle bundle = study::load_study(options.file, interfaces());
   print_problems(bundle.warnings);
   std::vector<Plan> plans;
+  plans.reserve(static_cast<std::size_t>(options.participants));
   for (int i = 0; i < options.participants; ++i) {
     plans.push_back(study::make_plan(bundle.study, i));
   }
