@@ -182,6 +182,13 @@ TEST(LoadStudy, RefusesATargetThatIsWonAtTheStart) {
   EXPECT_NE(said.find("toy.toml:14:13: error: target \"side\" is won"), std::string::npos);
 }
 
+TEST(LoadStudy, RefusesTheAverageAsATargetOfAnAutomaticThreshold) {
+  const std::string average =
+      "{ name = 'all', weights = { near = 0.3333333, side = 0.3333333, far = 0.3333334 } }";
+  EXPECT_NE(problems_of(changed("{ example = \"far\" }", average)).find("\"all\" is won before"),
+            std::string::npos);
+}
+
 TEST(LoadStudy, WarnsOfAQualityThatIsALabel) {
   const StudyBundle bundle = toy::bundle(changed("\"jolly\"", "\"far\""));
   ASSERT_EQ(bundle.warnings.size(), 1U);
