@@ -1,8 +1,11 @@
 #include "study/store.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <cassert>
+#include <cerrno>
+#include <set>
 
 #include "motion/bytes.h"
 #include "study/store_open.h"
@@ -25,6 +28,18 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
   } else {
     statement.bind(index, text);
   }
+}
+
+// On this machine: a database in WAL mode is never shared between two. EPERM is the
+// answer of somebody else's process.
+bool lives(std::int64_t process) {
+  return process > 0 && (::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM);
+}
+
+// Does the row of this statement, outcome and process, hold its order? Whoever was
+// killed does not.
+bool holds_order(const Statement& row) {
+  return row.text(0) == "finished" || (row.text(0) == "running" && lives(row.integer(1)));
 }
 
 }  // namespace
@@ -189,18 +204,17 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement used(implementation_->database,
-                 "SELECT DISTINCT sequence FROM session WHERE simulated = ? AND pilot = ? "
-                 "AND outcome IN ('finished', 'running') ORDER BY sequence");
-  used.bind(1, simulated).bind(2, pilot);
+  Statement rows(
+      implementation_->database,
+      "SELECT outcome, process, sequence FROM session WHERE simulated = ? AND pilot = ?");
+  rows.bind(1, simulated).bind(2, pilot);
+  std::set<std::int64_t> used;
+  while (rows.step()) {
+    if (holds_order(rows)) used.insert(rows.integer(2));
+  }
   std::vector<int> free;
-  bool more = used.step();
   for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (more && used.integer(0) == sequence) {
-      more = used.step();
-    } else {
-      free.push_back(sequence);
-    }
+    if (used.count(sequence) == 0) free.push_back(sequence);
   }
   return free;
 }

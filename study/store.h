@@ -35,8 +35,8 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  // The order that the next session gets: the one with the fewest finished or
-  // running sessions of the same kind (real, pilot, simulated), the lowest first.
+  // The order that the next session gets: the lowest one that nobody of the same kind
+  // (real, pilot, simulated) has finished or is running now.
   int next_sequence(bool simulated, bool pilot);
   // The same for the next `count` sessions, if all of them finish.
   std::vector<int> next_sequences(bool simulated, bool pilot, int count);

@@ -143,6 +143,22 @@ TEST_F(StoreTest, GivesTheOrderOfADeclinedSessionAgain) {
   EXPECT_EQ(store.next_sequence(false, false), 0);
 }
 
+TEST_F(StoreTest, GivesTheOrderOfAKilledSessionAgain) {
+  const StudyBundle bundle = toy::bundle();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Store store(file(), bundle);
+    store.begin_session(header("P01"), make_plan(bundle.study, 0));
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Store store(file(), bundle);
+  EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'running'"), 1);
+  EXPECT_EQ(store.next_sequence(false, false), 0);
+  store.begin_session(header("P02"), make_plan(bundle.study, 0));
+}
+
 TEST_F(StoreTest, CountsSimulatedCodes) {
   const StudyBundle bundle = toy::bundle();
   Store store(file(), bundle);
