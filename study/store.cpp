@@ -77,6 +77,7 @@ struct Store::Implementation {
   const std::string& trial_uuid(int index) const;
   void bind_trial(Statement& statement, int column, int trial) const;
   std::string participant_uuid(const std::string& code);
+  void refuse_taken(const SessionHeader& header, int sequence);
 
   void put(const TrialStarted& record);
   void put(const Event& record);
@@ -131,6 +132,24 @@ std::string Store::Implementation::participant_uuid(const std::string& code) {
   Statement insert(database, "INSERT INTO participant VALUES (?,?)");
   insert.bind(1, uuid).bind(2, code).run();
   return uuid;
+}
+
+// Only inside the transaction that inserts the session: outside, it may be taken after.
+void Store::Implementation::refuse_taken(const SessionHeader& header, int sequence) {
+  Statement rows(database,
+                 "SELECT outcome, process FROM session WHERE simulated = ? AND pilot = ? AND "
+                 "sequence = ?");
+  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence);
+  while (rows.step()) {
+    if (!holds_order(rows)) continue;
+    throw TakenError(TakenError::What::sequence, database.file() + ": order " +
+                                                     std::to_string(sequence) +
+                                                     " was taken by another session; start again");
+  }
+  Statement known(database, "SELECT 1 FROM participant WHERE code = ?");
+  if (!header.new_participant || !known.bind(1, header.participant).step()) return;
+  throw TakenError(TakenError::What::code, database.file() + ": the code \"" + header.participant +
+                                               "\" is already used; choose another one");
 }
 
 void Store::Implementation::put(const TrialStarted& record) {
@@ -239,12 +258,14 @@ std::string Store::next_simulated_code() {
 
 void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   Implementation& own = *implementation_;
-  own.session = header.uuid.empty() ? random_uuid() : header.uuid;
+  own.commit();
+  Transaction transaction(own.database);
+  own.refuse_taken(header, plan.sequence);
+  own.session = random_uuid();
   own.plan = plan;
   own.trials.assign(plan.trials.size(), "");
   own.seq = 0;
   own.durable = !header.simulated;
-  own.begin();
   const std::string participant = own.participant_uuid(header.participant);
   Statement study(own.database, "SELECT uuid FROM study WHERE study_sha256 = ?");
   study.bind(1, own.bundle->sha256).step();
@@ -257,6 +278,7 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   insert.bind(7, header.language).bind(8, header.started_utc).bind(9, header.simulated);
   insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine).run();
   study.reset();
+  transaction.commit();
   own.commit_durably();
 }
 

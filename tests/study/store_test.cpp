@@ -159,6 +159,29 @@ TEST_F(StoreTest, GivesTheOrderOfAKilledSessionAgain) {
   store.begin_session(header("P02"), make_plan(bundle.study, 0));
 }
 
+// What another process would be.
+TEST_F(StoreTest, RefusesAnOrderThatAnotherSessionTookMeanwhile) {
+  const StudyBundle bundle = toy::bundle();
+  Store one(file(), bundle);
+  Store other(file(), bundle);
+  one.begin_session(header("P01"), make_plan(bundle.study, 0));
+  EXPECT_THROW(other.begin_session(header("P02"), make_plan(bundle.study, 0)), TakenError);
+  EXPECT_FALSE(one.knows_participant("P02"));
+  other.begin_session(header("P02"), make_plan(bundle.study, other.next_sequence(false, false)));
+  EXPECT_EQ(count("SELECT count(DISTINCT sequence) FROM session"), 2);
+}
+
+TEST_F(StoreTest, RefusesTheCodeOfANewParticipantThatIsUsed) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  store.begin_session(header("P01"), make_plan(bundle.study, 0));
+  SessionHeader same = header("P01");
+  store.begin_session(same, make_plan(bundle.study, 1));
+  same.new_participant = true;
+  EXPECT_THROW(store.begin_session(same, make_plan(bundle.study, 2)), TakenError);
+  EXPECT_EQ(count("SELECT count(*) FROM session"), 2);
+}
+
 TEST_F(StoreTest, CountsSimulatedCodes) {
   const StudyBundle bundle = toy::bundle();
   Store store(file(), bundle);
