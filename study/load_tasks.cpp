@@ -96,7 +96,7 @@ void read_find(const TomlTable& table, const StudyContext& context, Task& task) 
 
 Task read_task(const TomlTable& table, const StudyContext& context) {
   Task task;
-  task.name = table.required_text("name");
+  task.name = read_name(table);
   table.require("kind");
   const auto kind = table.choice("kind", {"match", "find"});
   task.limit_s = table.number("limit_s", 1, longest_limit_s);
