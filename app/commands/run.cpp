@@ -67,7 +67,7 @@ void add_run_command(CLI::App& program) {
   command
       ->add_option("--autopilot", options->autopilot,
                    "a simulated participant with this seed takes the mouse")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
   command->callback([options] { run(*options); });
 }
 
