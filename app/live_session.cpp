@@ -24,22 +24,36 @@ void LiveSession::guard(const Work& work) {
   }
 }
 
-bool LiveSession::knows(const std::string& participant) {
-  bool known = false;
-  guard([&] { known = store_.knows_participant(participant); });
-  return known;
+bool LiveSession::begin() {
+  while (true) {
+    try {
+      store_.begin_session(header_, session_.plan());
+      return true;
+    } catch (const study::TakenError& error) {
+      if (error.taken() == study::TakenError::What::code) {
+        if (!header_.simulated) return false;
+        header_.participant = store_.next_simulated_code();
+        continue;
+      }
+      session_.change_sequence(store_.next_sequence(header_.simulated, header_.pilot));
+    }
+  }
 }
 
-void LiveSession::record_as(const std::string& participant) {
-  if (recorded_) return;
+bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
+  if (recorded_) return true;
   header_.participant = participant;
+  header_.new_participant = must_be_new;
   header_.started_utc = study::utc_now();
+  bool refused = false;
   guard([&] {
-    store_.begin_session(header_, session_.plan());
+    refused = !begin();
+    if (refused) return;
     recorded_ = true;
     write(waiting_);
   });
-  waiting_.clear();
+  if (!refused) waiting_.clear();
+  return !refused;
 }
 
 void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {

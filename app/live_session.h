@@ -27,9 +27,11 @@ class LiveSession {
   LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
               std::int64_t began_us);
 
-  void record_as(const std::string& participant);
+  // Only on the first page. False: the code must be new but is already used, and
+  // nothing is stored yet. Takes the next free order when another session took ours;
+  // a simulated participant takes the next free code as well.
+  bool record_as(const std::string& participant, bool must_be_new);
   bool recorded() const { return recorded_; }
-  bool knows(const std::string& participant);
 
   void take(StudyAction action, const Moment& moment,
             study::Actor actor = study::Actor::participant);
@@ -46,6 +48,7 @@ class LiveSession {
 
  private:
   void write(const std::vector<study::Record>& records);
+  bool begin();  // false: the code is used
   template <typename Work>
   void guard(const Work& work);
 

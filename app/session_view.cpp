@@ -157,9 +157,8 @@ void SessionView::leave_welcome() {
   memory_.wants_start = false;
   const std::string code = memory_.code.data();
   // A code given on the command line is the experimenter's word.
-  memory_.code_refused = code != options_.participant && live_.knows(code);
+  memory_.code_refused = !live_.record_as(code, code != options_.participant);
   if (memory_.code_refused || live_.failure()) return;
-  live_.record_as(code);
   actions_.emplace_back(study::Continue{});
 }
 

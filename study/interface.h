@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,13 +18,16 @@
 
 namespace promenade::study {
 
-// What a person did to one control, as it is logged and replayed.
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+// What a person did to one control, as it is logged and replayed. What a control does
+// not have is no_value, and null in the log.
 struct ControlInput {
-  std::string kind;       // "pick", "slide", "only", ...
-  std::string target;     // which control, by the interface's own word: "happy"
-  double value = 0;       // where it was set, in the control's unit
-  double x = 0, y = 0;    // for controls of two dimensions
-  std::int64_t t_us = 0;  // microseconds since the session began
+  std::string kind;                   // "pick", "slide", "only", ...
+  std::string target;                 // which control, by the interface's own word: "happy"
+  double value = no_value;            // where it was set, in the control's unit
+  double x = no_value, y = no_value;  // of controls of two dimensions
+  std::int64_t t_us = 0;              // microseconds since the session began
 };
 
 using ParameterValue = std::variant<bool, double, std::string>;

@@ -48,7 +48,7 @@ void accept_all_keys(const TomlTable& table) {
 
 InterfaceUse read_interface(const TomlTable& table, const InterfaceRegistry& registry) {
   InterfaceUse use;
-  use.name = table.required_text("name");
+  use.name = read_name(table);
   use.type = table.text("type").value_or(use.name);
   const InterfaceType* type = registry.find(use.type);
   if (!type) {

@@ -8,6 +8,21 @@ namespace promenade::study {
 namespace {
 
 constexpr std::int64_t largest_seed = INT64_MAX;
+constexpr std::int64_t longest_name = 80;
+
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+// Of ASCII, or U+0080 to U+009F, in UTF-8 C2 80 to C2 9F.
+bool has_control(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte < 0x20 || byte == 0x7F) return true;
+    if (byte == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0) {
+      return true;
+    }
+  }
+  return false;
+}
 
 void warn_of_missing(const TomlTable& table, std::string_view key, const std::string& what,
                      const LocalText& text, const Study& study) {
@@ -66,6 +81,23 @@ Rating read_rating(const TomlTable& table, const Study& study) {
 
 }  // namespace
 
+void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std::string& name) {
+  const auto length = std::count_if(name.begin(), name.end(), begins_character);
+  if (name.find('/') == std::string::npos && name.rfind('.', 0) != 0 && !has_control(name) &&
+      length <= longest_name) {
+    return;
+  }
+  table.error(key, "\"" + std::string(key) +
+                       "\" must have up to 80 characters, none of them \"/\" or a control "
+                       "character, and not begin with a dot");
+}
+
+std::string read_name(const TomlTable& table) {
+  std::string name = table.required_text("name");
+  refuse_unsafe_name(table, "name", name);
+  return name;
+}
+
 LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study) {
   LocalText text;
   if (table.is(key, TomlValue::Kind::table)) {
@@ -87,7 +119,7 @@ LocalText read_languages(const TomlTable& table, const std::string& name, const 
 void read_study_section(const TomlTable& root, Study& study) {
   root.require("study");
   const TomlTable table = root.table("study").value_or(root.reader().empty());
-  if (root.has("study")) study.name = table.required_text("name");
+  if (root.has("study")) study.name = read_name(table);
   study.version = table.text("version").value_or(study.version);
   study.set = table.text("set").value_or(study.set);
   if (table.has("languages")) study.languages = read_language_list(table);

@@ -84,6 +84,7 @@ Target read_target(const TomlTable& table, const StudyContext& context) {
     table.error(R"(a target needs either "example" or "weights")");
   }
   if (target.name.empty() && example) target.name = table.text("example").value_or("");
+  refuse_unsafe_name(table, table.has("name") ? "name" : "example", target.name);
   if (target.name.empty() && !example) table.error(R"(a target of "weights" needs a "name")");
   return target;
 }
@@ -145,7 +146,7 @@ std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
   const std::vector<TomlTable> tables = task.tables(key);
   for (const TomlTable& table : tables) {
     Target target;
-    target.name = table.required_text("name");
+    target.name = read_name(table);
     target.quality = read_languages(table, target.name, context.study);
     warn_of_labels(table, target, context);
     targets.push_back(std::move(target));

@@ -11,6 +11,7 @@ namespace promenade::study {
 namespace {
 
 constexpr double longest_limit_s = 86'400;
+constexpr double least_threshold_m = 0.0001;
 constexpr double largest_threshold_m = 10;
 constexpr double longest_dwell_ms = 60'000;
 
@@ -55,7 +56,8 @@ void refuse_won_targets(const TomlTable& table, std::string_view key,
   for (std::size_t i = 0; i < targets.size() && i < tables.size(); ++i) {
     if (!targets[i].weights) continue;
     const double start = start_distance(space, *targets[i].weights);
-    if (start >= threshold) continue;
+    // "auto" goes down with the nearest target, to nothing at the average itself.
+    if (start >= std::max(threshold, least_threshold_m)) continue;
     tables[i].error(fmt::format(
         "target \"{}\" is won before anything is touched: at the start D is {:.4f} m, below the "
         "threshold of {:.4f} m; ask for a walk further from the average or set a lower threshold",
@@ -70,7 +72,7 @@ void read_threshold(const TomlTable& table, const StudyContext& context, Task& t
     if (!table.choice("threshold", {"auto"}) || !context.space) return;
     task.threshold_m = automatic_threshold(*context.space, task);
   } else {
-    task.threshold_m = table.number("threshold", 0.0001, largest_threshold_m);
+    task.threshold_m = table.number("threshold", least_threshold_m, largest_threshold_m);
   }
   if (!task.threshold_m || !context.space) return;
   refuse_won_targets(table, "targets", task.targets, *task.threshold_m, *context.space);
@@ -94,7 +96,7 @@ void read_find(const TomlTable& table, const StudyContext& context, Task& task) 
 
 Task read_task(const TomlTable& table, const StudyContext& context) {
   Task task;
-  task.name = table.required_text("name");
+  task.name = read_name(table);
   table.require("kind");
   const auto kind = table.choice("kind", {"match", "find"});
   task.limit_s = table.number("limit_s", 1, longest_limit_s);

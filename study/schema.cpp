@@ -27,6 +27,7 @@ CREATE TABLE session(
   simulated INTEGER NOT NULL CHECK (simulated IN (0,1)),
   pilot INTEGER NOT NULL CHECK (pilot IN (0,1)), process INTEGER, machine TEXT NOT NULL
 ) STRICT;
+CREATE INDEX session_by_order ON session(simulated, pilot, sequence);
 CREATE TABLE trial(
   uuid TEXT PRIMARY KEY, session TEXT NOT NULL REFERENCES session(uuid),
   position INTEGER NOT NULL, block INTEGER NOT NULL, practice INTEGER NOT NULL CHECK (practice IN (0,1)),

@@ -61,6 +61,11 @@ Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, P
 Session::Session(Session&&) noexcept = default;
 Session::~Session() = default;
 
+void Session::change_sequence(int sequence) {
+  assert(page_ == 0 && !declined_ && "the participant has seen nothing of the plan");
+  plan_ = make_plan(bundle_->study, sequence);
+}
+
 const Page& Session::page() const {
   static const Page declined{PageKind::declined, -1};
   return declined_ ? declined : plan_.pages[page_];

@@ -131,6 +131,9 @@ class Session {
   // with their own time. Records are returned in the order of their times.
   std::vector<Record> step(const Input& input);
 
+  // Another order, while nothing but the first page has been shown.
+  void change_sequence(int sequence);
+
   const Plan& plan() const { return plan_; }
   const Page& page() const;         // what is on screen
   const TrialState* trial() const;  // null outside trial pages

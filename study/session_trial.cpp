@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "study/session_steps.h"
 
@@ -19,6 +20,10 @@ void measure(const motion::MotionSpace& space, TrialState& trial) {
   summary.d_final = d.mean_m;
   summary.d_sum = d.sum_m;
   summary.seconds_difference = trial.cycle.seconds - trial.target->seconds;
+}
+
+std::optional<double> logged(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
 }  // namespace
@@ -143,14 +148,18 @@ void Session::Steps::act(const Control& control) {
   const bool applied = trial.interface->apply(change);
   Event& event = log(change.kind.c_str());
   event.target = change.target;
-  event.value = change.value;
-  event.x = change.x;
-  event.y = change.y;
+  event.value = logged(change.value);
+  event.x = logged(change.x);
+  event.y = logged(change.y);
   event.detail = applied ? R"({"applied":true})" : R"({"applied":false})";
   if (!applied) return;
   if (input.actor == Actor::participant) ++trial.summary.changes;
+  Eigen::VectorXd weights = trial.interface->weights(input.t_us);
+  // The first touch counts even where it shows the start: from now on it can win.
+  const bool shows = !trial.touched || weights != trial.weights;
   trial.touched = true;
-  trial.weights = trial.interface->weights(input.t_us);
+  if (!shows) return;
+  trial.weights = std::move(weights);
   show(trial, input.t_us, true);
 }
 

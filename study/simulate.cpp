@@ -88,6 +88,7 @@ void store_session(Store& store, const Plan& plan, const Cohort& cohort, const s
   SessionHeader header;
   header.participant = code;
   header.simulated = true;
+  header.new_participant = true;
   header.machine = cohort.machine;
   header.started_utc = utc_now();
   store.begin_session(header, plan);
@@ -99,6 +100,35 @@ void store_session(Store& store, const Plan& plan, const Cohort& cohort, const s
 std::string code_of(int number) {
   const std::string digits = std::to_string(number);
   return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+// Goes on from `done` until the cohort is whole or another process takes a number or an
+// order that was meant for it; then those that were simulated ahead are worth nothing.
+// False: the caller wants to stop.
+bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry, Store& store,
+                   const Cohort& cohort, int& done) {
+  const int count = cohort.participants - done;
+  const std::vector<int> sequences = store.next_sequences(true, false, count);
+  const int first = store.next_simulated_number();
+  const auto plan_of = [&](int index) {
+    return make_plan(bundle.study, sequences[static_cast<std::size_t>(index)]);
+  };
+  Ordered sessions(count, std::max(1, cohort.jobs), [&](int index) {
+    const auto number = static_cast<std::uint64_t>(first + index);
+    const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
+    return simulate_session(bundle, registry, plan_of(index), seed);
+  });
+  for (int index = 0; index < count; ++index) {
+    const std::vector<Record> records = sessions.take(index);
+    try {
+      store_session(store, plan_of(index), cohort, code_of(first + index), records);
+    } catch (const TakenError&) {
+      return true;
+    }
+    ++done;
+    if (cohort.progress && !cohort.progress(done)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -133,21 +163,10 @@ std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceR
 
 int simulate_cohort(const StudyBundle& bundle, const InterfaceRegistry& registry, Store& store,
                     const Cohort& cohort) {
-  const std::vector<int> sequences = store.next_sequences(true, false, cohort.participants);
-  const int first = store.next_simulated_number();
-  const auto plan_of = [&](int index) {
-    return make_plan(bundle.study, sequences[static_cast<std::size_t>(index)]);
-  };
-  Ordered sessions(cohort.participants, std::max(1, cohort.jobs), [&](int index) {
-    const auto number = static_cast<std::uint64_t>(first + index);
-    const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
-    return simulate_session(bundle, registry, plan_of(index), seed);
-  });
-  for (int index = 0; index < cohort.participants; ++index) {
-    store_session(store, plan_of(index), cohort, code_of(first + index), sessions.take(index));
-    if (cohort.progress && !cohort.progress(index + 1)) return index + 1;
+  int done = 0;
+  while (done < cohort.participants && simulate_rest(bundle, registry, store, cohort, done)) {
   }
-  return cohort.participants;
+  return done;
 }
 
 }  // namespace promenade::study

@@ -8,8 +8,34 @@
 namespace promenade::study {
 namespace {
 
+// What to do about it; empty where only a programmer could.
+const char* advice(int code) {
+  switch (code & 0xFF) {  // the rest says more than is needed here
+    case SQLITE_FULL:
+      return "the disk is full; make room and start again, what was stored before is whole";
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return "another program is writing to it; close that one and try again";
+    case SQLITE_READONLY:
+      return "it must not be written; allow writing to the file and its folder, or name another "
+             "database";
+    case SQLITE_CANTOPEN:
+      return "it cannot be opened; check that the file and its folder are there and may be "
+             "written";
+    case SQLITE_IOERR:
+      return "the disk failed to read or write it; check the disk and name a database on another";
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+      return "it is damaged or no database; keep it, and go on with another or with a copy of it";
+    default:
+      return "";
+  }
+}
+
 [[noreturn]] void fail(const std::string& file, int code, const char* message) {
-  throw DatabaseError(code, file + ": " + (message ? message : sqlite3_errstr(code)));
+  const std::string said = message ? message : sqlite3_errstr(code);
+  const std::string todo = advice(code);
+  throw DatabaseError(code, file + ": " + (todo.empty() ? said : todo + " (" + said + ")"));
 }
 
 int open_flags(Database::Mode mode) {

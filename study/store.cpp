@@ -1,8 +1,11 @@
 #include "study/store.h"
 
+#include <signal.h>
 #include <unistd.h>
 
 #include <cassert>
+#include <cerrno>
+#include <set>
 
 #include "motion/bytes.h"
 #include "study/store_open.h"
@@ -25,6 +28,18 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
   } else {
     statement.bind(index, text);
   }
+}
+
+// On this machine: a database in WAL mode is never shared between two. EPERM is the
+// answer of somebody else's process.
+bool lives(std::int64_t process) {
+  return process > 0 && (::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM);
+}
+
+// Does the row of this statement, outcome and process, hold its order? Whoever was
+// killed does not.
+bool holds_order(const Statement& row) {
+  return row.text(0) == "finished" || (row.text(0) == "running" && lives(row.integer(1)));
 }
 
 }  // namespace
@@ -62,6 +77,7 @@ struct Store::Implementation {
   const std::string& trial_uuid(int index) const;
   void bind_trial(Statement& statement, int column, int trial) const;
   std::string participant_uuid(const std::string& code);
+  void refuse_taken(const SessionHeader& header, int sequence);
 
   void put(const TrialStarted& record);
   void put(const Event& record);
@@ -116,6 +132,24 @@ std::string Store::Implementation::participant_uuid(const std::string& code) {
   Statement insert(database, "INSERT INTO participant VALUES (?,?)");
   insert.bind(1, uuid).bind(2, code).run();
   return uuid;
+}
+
+// Only inside the transaction that inserts the session: outside, it may be taken after.
+void Store::Implementation::refuse_taken(const SessionHeader& header, int sequence) {
+  Statement rows(database,
+                 "SELECT outcome, process FROM session WHERE simulated = ? AND pilot = ? AND "
+                 "sequence = ?");
+  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence);
+  while (rows.step()) {
+    if (!holds_order(rows)) continue;
+    throw TakenError(TakenError::What::sequence, database.file() + ": order " +
+                                                     std::to_string(sequence) +
+                                                     " was taken by another session; start again");
+  }
+  Statement known(database, "SELECT 1 FROM participant WHERE code = ?");
+  if (!header.new_participant || !known.bind(1, header.participant).step()) return;
+  throw TakenError(TakenError::What::code, database.file() + ": the code \"" + header.participant +
+                                               "\" is already used; choose another one");
 }
 
 void Store::Implementation::put(const TrialStarted& record) {
@@ -189,18 +223,17 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement used(implementation_->database,
-                 "SELECT DISTINCT sequence FROM session WHERE simulated = ? AND pilot = ? "
-                 "AND outcome IN ('finished', 'running') ORDER BY sequence");
-  used.bind(1, simulated).bind(2, pilot);
+  Statement rows(
+      implementation_->database,
+      "SELECT outcome, process, sequence FROM session WHERE simulated = ? AND pilot = ?");
+  rows.bind(1, simulated).bind(2, pilot);
+  std::set<std::int64_t> used;
+  while (rows.step()) {
+    if (holds_order(rows)) used.insert(rows.integer(2));
+  }
   std::vector<int> free;
-  bool more = used.step();
   for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (more && used.integer(0) == sequence) {
-      more = used.step();
-    } else {
-      free.push_back(sequence);
-    }
+    if (used.count(sequence) == 0) free.push_back(sequence);
   }
   return free;
 }
@@ -225,12 +258,14 @@ std::string Store::next_simulated_code() {
 
 void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   Implementation& own = *implementation_;
-  own.session = header.uuid.empty() ? random_uuid() : header.uuid;
+  own.commit();
+  Transaction transaction(own.database);
+  own.refuse_taken(header, plan.sequence);
+  own.session = random_uuid();
   own.plan = plan;
   own.trials.assign(plan.trials.size(), "");
   own.seq = 0;
   own.durable = !header.simulated;
-  own.begin();
   const std::string participant = own.participant_uuid(header.participant);
   Statement study(own.database, "SELECT uuid FROM study WHERE study_sha256 = ?");
   study.bind(1, own.bundle->sha256).step();
@@ -243,6 +278,7 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   insert.bind(7, header.language).bind(8, header.started_utc).bind(9, header.simulated);
   insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine).run();
   study.reset();
+  transaction.commit();
   own.commit_durably();
 }
 

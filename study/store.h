@@ -19,10 +19,20 @@ struct SessionHeader {
   std::string station = "1";
   std::string language = "en";
   bool simulated = false, pilot = false;
-  std::string machine = "{}";  // JSON
-  std::string started_utc;     // ISO 8601
-  // Empty: drawn at random. Simulations give their own.
-  std::string uuid;
+  std::string machine = "{}";    // JSON
+  std::string started_utc;       // ISO 8601
+  bool new_participant = false;  // the code must not have been used before
+};
+
+// Somebody else, most likely another process, has what this session was to get.
+class TakenError : public OutsideError {
+ public:
+  enum class What { sequence, code };
+  TakenError(What what, const std::string& message) : OutsideError(message), what_(what) {}
+  What taken() const { return what_; }
+
+ private:
+  What what_;
 };
 
 class Store {
@@ -35,8 +45,9 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  // The order that the next session gets: the one with the fewest finished or
-  // running sessions of the same kind (real, pilot, simulated), the lowest first.
+  // The order that the next session gets: the lowest one that nobody of the same kind
+  // (real, pilot, simulated) has finished or is running now. Another process may take
+  // it before begin_session.
   int next_sequence(bool simulated, bool pilot);
   // The same for the next `count` sessions, if all of them finish.
   std::vector<int> next_sequences(bool simulated, bool pilot, int count);
@@ -45,6 +56,8 @@ class Store {
   std::string next_simulated_code();
   int next_simulated_number();  // its number, from 1
 
+  // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
+  // or the code of a participant who must be new.
   void begin_session(const SessionHeader& header, const Plan& plan);
   void write(const Record& record);
   void flush();

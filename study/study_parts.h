@@ -13,6 +13,12 @@ struct StudyContext {
   const motion::MotionSpace* space;  // null: the set could not be read
 };
 
+// The "name" of a table, which goes into names of files and tables of results: up to 80
+// characters, no control character, no "/", not beginning with a dot.
+std::string read_name(const TomlTable& table);
+// A problem at `key`, from where `name` comes, unless it is such a name.
+void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std::string& name);
+
 // A text of the study's own: key = "words", or key = {en = "words", ja = "言葉"}. Warns
 // about languages of the study that are missing.
 LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "study/toml_limits.h"
+
 namespace promenade::study {
 namespace {
 
@@ -74,6 +76,7 @@ TomlValue value_of(const toml::node& node) {
 }  // namespace
 
 TomlValue parse_toml(const std::string& file, std::string_view text) {
+  refuse_deep_toml(file, text);
   try {
     return value_of(toml::parse(text, file));
   } catch (const toml::parse_error& error) {

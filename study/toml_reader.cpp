@@ -37,8 +37,14 @@ TomlReader::TomlReader(std::string file, std::string_view text) : file_(std::mov
 }
 
 void TomlReader::add(TomlPlace place, const std::string& message, Severity severity) {
-  // What a broken file lacks is not worth a word.
-  if (parsed_) problems_.push_back({file_, place.line, place.column, message, severity});
+  // What a broken file lacks is not worth a word, and what was said is not said again.
+  const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
+    return problem.line == place.line && problem.column == place.column &&
+           problem.message == message && problem.file == file_;
+  });
+  if (parsed_ && !known) {
+    problems_.push_back({file_, place.line, place.column, message, severity});
+  }
 }
 
 void TomlReader::add(const std::vector<Problem>& problems) {

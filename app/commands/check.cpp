@@ -41,13 +41,31 @@ TargetReport report_target(const StudyBundle& bundle, const Task& task, const Ta
   return report;
 }
 
+int count_targets(const StudyBundle& bundle) {
+  int count = 0;
+  for (const Task& task : bundle.study.tasks) {
+    if (task.kind != study::TaskKind::match) continue;
+    count += static_cast<int>(task.practice.size() + task.targets.size());
+  }
+  return count;
+}
+
+// Thousands of targets take minutes.
+void note_progress(const StudyBundle& bundle, int done, int count) {
+  show_progress("targets checked:", done, count);
+  if (!interrupted()) return;
+  throw OutsideError(fmt::format("stopped after {} of {} targets of {}", done, count, bundle.file));
+}
+
 std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
   std::vector<TargetReport> reports;
+  const int count = count_targets(bundle);
   for (const Task& task : bundle.study.tasks) {
     for (const bool practice : {true, false}) {
       for (const Target& target : practice ? task.practice : task.targets) {
         if (!target.weights) continue;
         reports.push_back(report_target(bundle, task, target, practice));
+        note_progress(bundle, static_cast<int>(reports.size()), count);
       }
     }
   }
@@ -171,6 +189,7 @@ std::string bundle_text(const StudyBundle& bundle, const std::vector<TargetRepor
 void run(const std::vector<std::string>& files, bool json) {
   Json document = {{"studies", Json::array()}};
   std::vector<Problem> errors;
+  interrupted();  // from now on Ctrl-C is seen between two targets
   for (const std::string& file : files) {
     try {
       StudyBundle bundle = study::load_study(file, interfaces());

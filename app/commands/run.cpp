@@ -64,8 +64,10 @@ void add_run_command(CLI::App& program) {
   command->add_option("--station", options->station, "the name of this place");
   command->add_option("--language", options->language, "en or ja (default: the study's first)");
   command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
-  command->add_option("--autopilot", options->autopilot,
-                      "a simulated participant with this seed takes the mouse");
+  command
+      ->add_option("--autopilot", options->autopilot,
+                   "a simulated participant with this seed takes the mouse")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
   command->callback([options] { run(*options); });
 }
 

@@ -62,7 +62,9 @@ void add_simulate_command(CLI::App& program) {
   command->add_option("--participants", options->participants, "how many")
       ->required()
       ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options->seed, "of everything random in them")->required();
+  command->add_option("--seed", options->seed, "of everything random in them")
+      ->required()
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
   command->add_option("--db", options->database, "the database to make or to add to")->required();
   command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
       ->check(CLI::Range(1, 256));

@@ -106,6 +106,18 @@ class Cohort(unittest.TestCase):
                   "three.db", "--jobs", 2, folder=self.folder)
         self.assertEqual(content_of(self.folder / "two.db"), content_of(self.folder / "three.db"))
 
+    def test_two_programs_at_once_share_one_database(self):
+        command = [PROMENADE, "simulate", "configs/demo.toml", "--participants", "10", "--db",
+                   "both.db", "--jobs", "1", "--seed"]
+        runs = [subprocess.Popen([*command, seed], cwd=self.folder, stdout=subprocess.DEVNULL)
+                for seed in ("1", "2")]
+        self.assertEqual([run.wait(timeout=600) for run in runs], [0, 0])
+        db = sqlite3.connect(f"file:{self.folder / 'both.db'}?mode=ro", uri=True)
+        row = db.execute("SELECT count(*), count(DISTINCT participant), count(DISTINCT sequence), "
+                         "max(sequence) FROM session WHERE outcome = 'finished'").fetchone()
+        db.close()
+        self.assertEqual(row, (20, 20, 20, 19))
+
     def test_without_the_flag_simulated_people_are_not_reported(self):
         result = promenade("report", "one.db", "--out", "none", folder=self.folder)
         self.assertEqual(result.returncode, 2)

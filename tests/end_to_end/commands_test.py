@@ -33,6 +33,11 @@ class Commands(ProgramTest):
         self.assertEqual(self.call("check").returncode, 2)
         self.assertEqual(self.call("simulate", "configs/demo.toml", "--participants", "x")
                          .returncode, 2)
+        result = self.call("simulate", "configs/demo.toml", "--participants", "1", "--seed", "-1",
+                           "--db", "x.db")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--seed", result.stderr)
+        self.assertEqual(self.left_behind(), [])
 
     def test_the_embedded_demo_is_in_order(self):
         result = self.call("check", "configs/demo.toml")

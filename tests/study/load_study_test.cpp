@@ -182,6 +182,40 @@ TEST(LoadStudy, RefusesATargetThatIsWonAtTheStart) {
   EXPECT_NE(said.find("toy.toml:14:13: error: target \"side\" is won"), std::string::npos);
 }
 
+TEST(LoadStudy, RefusesTheAverageAsATargetOfAnAutomaticThreshold) {
+  const std::string average =
+      "{ name = 'all', weights = { near = 0.3333333, side = 0.3333333, far = 0.3333334 } }";
+  EXPECT_NE(problems_of(changed("{ example = \"far\" }", average)).find("\"all\" is won before"),
+            std::string::npos);
+}
+
+TEST(LoadStudy, RefusesNamesThatAreNoNamesOfFiles) {
+  for (const char* kept : {"\"toy\"", "\"mix\"", "\"copy\"", "\"jolly\""}) {
+    for (const std::string& name : {std::string("../x"), std::string(".x"), std::string("x\\ny"),
+                                    std::string("x\\u0085"), std::string(81, 'x')}) {
+      const std::string said = problems_of(changed(kept, "\"" + name + "\""));
+      EXPECT_NE(said.find("error: \"name\" must have up to 80"), std::string::npos) << kept << name;
+    }
+  }
+  const std::string target = "{ name = \"a/b\", example = \"far\" }";
+  EXPECT_NE(problems_of(changed("{ example = \"far\" }", target)).find("toy.toml:13:"),
+            std::string::npos);
+}
+
+TEST(LoadStudy, TakesANameOfEightyCharactersOfAnyScript) {
+  std::string name;
+  for (int i = 0; i < 80; ++i) name += "\u6b69";
+  EXPECT_EQ(toy::bundle(changed("\"toy\"", "\"" + name + "\"")).study.name, name);
+}
+
+TEST(LoadStudy, SaysOnceThatPracticeIsNoList) {
+  const std::string said =
+      problems_of(changed("practice = [{ example = \"side\" }]", "practice = 3"));
+  const std::size_t first = said.find("\"practice\" must be");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(said.find("\"practice\" must be", first + 1), std::string::npos) << said;
+}
+
 TEST(LoadStudy, WarnsOfAQualityThatIsALabel) {
   const StudyBundle bundle = toy::bundle(changed("\"jolly\"", "\"far\""));
   ASSERT_EQ(bundle.warnings.size(), 1U);

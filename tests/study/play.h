@@ -6,9 +6,9 @@
 
 namespace promenade::study::toy {
 
-inline Control pick(const std::string& walk) { return {{"pick", walk, 1, 0, 0, 0}}; }
+inline Control pick(const std::string& walk) { return {{.kind = "pick", .target = walk}}; }
 inline Control slide(const std::string& walk, double value) {
-  return {{"slide", walk, value, 0, 0, 0}};
+  return {{.kind = "slide", .target = walk, .value = value}};
 }
 
 struct Player {

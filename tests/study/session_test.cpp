@@ -112,6 +112,31 @@ TEST(Session, CountsTheDwellTimeFromTheLastChange) {
   EXPECT_EQ(ended.first_below_us, 1 * second);
 }
 
+TEST(Session, LeavesTheDwellTimeRunningWhenAControlChangesNothing) {
+  const StudyBundle bundle = toy::bundle(short_study("pick", far));
+  Player player(bundle);
+  player.to_trial(0);
+  player.at(3 * second, toy::pick("far"));
+  const std::size_t samples = player.all<Sample>().size();
+  player.at(3 * second + 400'000, toy::pick("far"));
+  EXPECT_EQ(player.all<Sample>().size(), samples);
+  player.at(9 * second, Tick{});
+  const TrialEnded ended = player.all<TrialEnded>().at(0);
+  EXPECT_EQ(ended.t_us, 3 * second + 500'000);
+  EXPECT_EQ(ended.changes, 2);
+}
+
+TEST(Session, LogsOnlyTheNumbersThatAControlHas) {
+  const StudyBundle bundle = toy::bundle(short_study("mix", far));
+  Player player(bundle);
+  player.to_trial(0);
+  const Event slid = std::get<Event>(player.at(1 * second, toy::slide("far", 0)).at(0));
+  const Event picked = std::get<Event>(player.at(2 * second, toy::pick("far")).at(0));
+  EXPECT_EQ(slid.value, 0.0);
+  EXPECT_EQ(picked.value, std::nullopt);
+  for (const Event& event : {slid, picked}) EXPECT_TRUE(!event.x && !event.y) << event.kind;
+}
+
 TEST(Session, SucceedsAtOnceWithoutADwellTime) {
   const StudyBundle bundle = toy::bundle(short_study("pick", far + "dwell_ms = 0\n"));
   Player player(bundle);

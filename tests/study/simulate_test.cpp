@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <future>
+
 #include "study/sqlite.h"
 #include "toy.h"
 
@@ -59,6 +61,32 @@ TEST(SimulateCohort, GoesOnWithTheNumbersThatAreThere) {
   EXPECT_EQ(simulated(6, 5, 2), simulated(6, 5, 2, 2));
 }
 
+TEST(SimulateCohort, SharesAFileWithAnotherCohort) {
+  const fs::path file =
+      fs::temp_directory_path() / ("promenade_share_" + std::to_string(::getpid()) + ".db");
+  const StudyBundle bundle = toy::bundle();
+  const auto simulate = [&](std::uint64_t seed) {
+    Store store(file, bundle);
+    Cohort cohort;
+    cohort.participants = 20;
+    cohort.seed = seed;
+    return simulate_cohort(bundle, toy::registry(), store, cohort);
+  };
+  auto other = std::async(std::launch::async, simulate, 1);
+  EXPECT_EQ(simulate(2), 20);
+  EXPECT_EQ(other.get(), 20);
+  {
+    Database database(file.string(), Database::Mode::read_only);
+    Statement rows(database,
+                   "SELECT count(*), count(DISTINCT participant), count(DISTINCT sequence), "
+                   "max(sequence) FROM session WHERE outcome = 'finished'");
+    ASSERT_TRUE(rows.step());
+    for (const int column : {0, 1, 2}) EXPECT_EQ(rows.integer(column), 40) << column;
+    EXPECT_EQ(rows.integer(3), 39);
+  }
+  fs::remove(file);
+}
+
 // Outcomes of the trials that count, over a cohort.
 std::map<TrialOutcome, int> outcomes(const StudyBundle& bundle, int people, TaskKind kind) {
   std::map<TrialOutcome, int> count;
@@ -106,13 +134,15 @@ TEST(SimulateSession, EndsFindTasksByDone) {
 
 TEST(SimulateSession, ClicksForEveryChange) {
   const StudyBundle bundle = toy::bundle();
+  int changes = 0;
   for (const Record& record :
        simulate_session(bundle, toy::registry(), make_plan(bundle.study, 1), 9)) {
     const TrialEnded* ended = std::get_if<TrialEnded>(&record);
-    if (ended) {
-      EXPECT_GE(ended->clicks, ended->changes);
-    }
+    if (!ended) continue;
+    EXPECT_GE(ended->clicks, ended->changes);
+    changes += ended->changes;
   }
+  EXPECT_GT(changes, 0);
 }
 
 TEST(DrawPerson, GivesDifferentPeopleWithinReason) {

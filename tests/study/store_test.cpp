@@ -143,6 +143,45 @@ TEST_F(StoreTest, GivesTheOrderOfADeclinedSessionAgain) {
   EXPECT_EQ(store.next_sequence(false, false), 0);
 }
 
+TEST_F(StoreTest, GivesTheOrderOfAKilledSessionAgain) {
+  const StudyBundle bundle = toy::bundle();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Store store(file(), bundle);
+    store.begin_session(header("P01"), make_plan(bundle.study, 0));
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Store store(file(), bundle);
+  EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'running'"), 1);
+  EXPECT_EQ(store.next_sequence(false, false), 0);
+  store.begin_session(header("P02"), make_plan(bundle.study, 0));
+}
+
+// What another process would be.
+TEST_F(StoreTest, RefusesAnOrderThatAnotherSessionTookMeanwhile) {
+  const StudyBundle bundle = toy::bundle();
+  Store one(file(), bundle);
+  Store other(file(), bundle);
+  one.begin_session(header("P01"), make_plan(bundle.study, 0));
+  EXPECT_THROW(other.begin_session(header("P02"), make_plan(bundle.study, 0)), TakenError);
+  EXPECT_FALSE(one.knows_participant("P02"));
+  other.begin_session(header("P02"), make_plan(bundle.study, other.next_sequence(false, false)));
+  EXPECT_EQ(count("SELECT count(DISTINCT sequence) FROM session"), 2);
+}
+
+TEST_F(StoreTest, RefusesTheCodeOfANewParticipantThatIsUsed) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  store.begin_session(header("P01"), make_plan(bundle.study, 0));
+  SessionHeader same = header("P01");
+  store.begin_session(same, make_plan(bundle.study, 1));
+  same.new_participant = true;
+  EXPECT_THROW(store.begin_session(same, make_plan(bundle.study, 2)), TakenError);
+  EXPECT_EQ(count("SELECT count(*) FROM session"), 2);
+}
+
 TEST_F(StoreTest, CountsSimulatedCodes) {
   const StudyBundle bundle = toy::bundle();
   Store store(file(), bundle);

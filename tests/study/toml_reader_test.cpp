@@ -76,6 +76,39 @@ TEST(TomlReader, ReturnsWarningsWhenNothingIsWrong) {
   EXPECT_EQ(to_text(reader.finish().at(0)), "a.toml:1:5: warning: is odd");
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string whole;
+  for (int i = 0; i < times; ++i) whole += text;
+  return whole;
+}
+
+TEST(TomlReader, RefusesWhatWouldOverflowTheStack) {
+  constexpr int many = 200'000;
+  const std::string dots = repeated("a.", many) + "a";
+  for (const std::string& text :
+       {dots + " = 1", "[" + dots + "]", "[[" + dots + "]]", "x = {" + dots + " = 1}",
+        repeated("'a' . ", many) + "a = 1", "x = {y = \"\"\"z\"\"\"\"\", " + dots + " = 1}",
+        "x = " + repeated("[", many),
+        "x = " + repeated("{x = ", many) + "1" + repeated("}", many)}) {
+    TomlReader reader("a.toml", text);
+    EXPECT_NE(problems_of(reader).find(" must not "), std::string::npos) << text.substr(0, 20);
+  }
+}
+
+TEST(TomlReader, SaysWhereAKeyHasTooManyParts) {
+  TomlReader reader("a.toml", "a = 1\n'\u00e9'." + repeated("b.", 31) + "b = 1\n");
+  EXPECT_EQ(problems_of(reader), "a.toml:2:66: error: a key must not have more than 32 parts");
+}
+
+TEST(TomlReader, TakesDeepKeysAndDotsAndBracketsInTextsAndComments) {
+  const std::string noise = repeated(".[{", 100);
+  TomlReader reader("a.toml", repeated("a.", 31) + "a = 1.5 # " + noise +
+                                  "\n[b]\nc = [1.5, \"\\\"" + noise + "\", '" + noise +
+                                  "', \"\"\"\n" + noise + "\n\"\"\", " + repeated("[", 60) +
+                                  repeated("]", 60) + "]\n");
+  EXPECT_TRUE(reader.ok());
+}
+
 TEST(TomlReader, SurvivesEveryTruncationOfAFile) {
   const std::string whole = "[a]\nb = {c = [1, 2.5], d = '''x'''}\n[[e]]\nf = 1979-05-27\n";
   for (std::size_t n = 0; n <= whole.size(); ++n) {
