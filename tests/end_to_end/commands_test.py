@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """The commands as their users call them: exit codes, places of errors, nothing left behind."""
 import json
+import subprocess
 import unittest
 
-from program import ProgramTest
+from program import PROMENADE, ProgramTest
 
 ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", "simulate",
        "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
@@ -64,6 +65,13 @@ class Commands(ProgramTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("display", result.stderr)
         self.assertEqual(self.left_behind(), [])
+
+    def test_output_that_cannot_be_written_is_an_error(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROMENADE, "set", "info", "builtin:A", "--json"], text=True,
+                                    stdout=full, stderr=subprocess.PIPE, timeout=120)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("cannot write", result.stderr)
 
     def test_a_broken_capture_gives_place_and_reason(self):
         capture = self.write("cut.bvh", "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n")
