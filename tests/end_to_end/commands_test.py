@@ -73,6 +73,16 @@ class Commands(ProgramTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("cannot write", result.stderr)
 
+    def test_frames_of_positions_are_one_list(self):
+        self.call("set", "export", "builtin:A", "--out", "out")
+        capture = str(next((self.folder / "out").glob("*.bvh")))
+        result = self.call("motion", "positions", "--frames", "0,5", capture, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([f["frame"] for f in json.loads(result.stdout)["frames"]], [0, 5])
+        for frames in ("0,,1", "0,", "", ",", "x"):
+            result = self.call("motion", "positions", capture, "--frames", frames)
+            self.assertEqual(result.returncode, 2, frames)
+
     def test_a_broken_capture_gives_place_and_reason(self):
         capture = self.write("cut.bvh", "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n")
         result = self.call("motion", "info", capture, "--json")
