@@ -1,6 +1,7 @@
 #include "app/session_view.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace promenade::app {
@@ -72,8 +73,8 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       content_{bundle.space, texts, names_, by_name_},
       stage_(bundle.space.set),
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
-  const std::size_t length = std::min(options.participant.size(), memory_.code.size() - 1);
-  std::copy_n(options.participant.begin(), length, memory_.code.begin());
+  assert(options.participant.size() < memory_.code.size() && "the code has been checked");
+  std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
 }
 
 bool SessionView::has_panel() const {

@@ -66,6 +66,13 @@ TEST(SessionView, ClosingTheWindowInATrialAbortsItAndIsLogged) {
   EXPECT_EQ(count(bench, "trial WHERE outcome = 'aborted'"), 1);
 }
 
+TEST(SessionView, ATypedCodeOfMoreThanFortyCharactersDoesNotStart) {
+  SessionBench bench;
+  bench.type(std::string(41, 'x'));
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::welcome);
+}
+
 TEST(SessionView, TimesNeverGoBackAndFramesComeBeforeTheirEvents) {
   SessionBench bench;
   ASSERT_TRUE(bench.play(30));

@@ -73,6 +73,13 @@ class Commands(ProgramTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("cannot write", result.stderr)
 
+    def test_a_participant_code_is_checked_before_the_window(self):
+        for code in ("", 41 * "x", "P\n1", b"P\xff"):
+            result = self.call("run", "configs/demo.toml", "--db", "x.db", "--participant", code)
+            self.assertEqual(result.returncode, 2, code)
+            self.assertIn("--participant", result.stderr)
+        self.assertEqual(self.left_behind(), [])
+
     def test_frames_of_positions_are_one_list(self):
         self.call("set", "export", "builtin:A", "--out", "out")
         capture = str(next((self.folder / "out").glob("*.bvh")))
