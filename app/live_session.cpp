@@ -33,7 +33,6 @@ bool LiveSession::knows(const std::string& participant) {
 void LiveSession::record_as(const std::string& participant) {
   if (recorded_) return;
   header_.participant = participant;
-  header_.started_utc = study::utc_now();
   guard([&] {
     store_.begin_session(header_, session_.plan());
     recorded_ = true;

@@ -22,8 +22,8 @@ struct Moment {
 
 class LiveSession {
  public:
-  // The session begins at `began_us` on the monotonic clock; nothing is stored
-  // before record_as(). Both outlive it.
+  // The session begins at `began_us` on the monotonic clock, which is
+  // `header.started_utc`; nothing is stored before record_as(). The store outlives it.
   LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
               std::int64_t began_us);
 

@@ -1,7 +1,6 @@
 #include "app/session_window.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/autopilot.h"
 #include "app/print.h"
@@ -23,6 +22,7 @@ double quantile_ms(std::vector<std::int64_t> times_us, double share) {
 
 study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
   study::SessionHeader header;
+  header.started_utc = study::utc_now();
   header.station = setting.station;
   header.language = setting.language;
   header.simulated = setting.autopilot.has_value();
