@@ -35,7 +35,7 @@ void LiveSession::record_as(const std::string& participant) {
   header_.participant = participant;
   guard([&] {
     store_.begin_session(header_, session_.plan());
-    recorded_ = true;
+    recorded_ = unwritten_ = true;
     write(waiting_);
   });
   waiting_.clear();
@@ -61,13 +61,15 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
 }
 
 void LiveSession::write(const std::vector<Record>& records) {
+  unwritten_ = unwritten_ || !records.empty();
   for (const Record& record : records) store_.write(record);
   if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
 }
 
 void LiveSession::flush(std::int64_t now_us) {
-  if (!recorded_ || now_us - flushed_us_ < 40'000) return;
+  if (!unwritten_ || now_us - flushed_us_ < 15'000) return;
   flushed_us_ = now_us;
+  unwritten_ = false;
   guard([&] { store_.flush(); });
 }
 

@@ -171,6 +171,7 @@ void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
     live_.take(study::LateFrame{late_us}, {.t_us = shown_us, .frame_us = shown_us},
                study::Actor::system);
   }
+  live_.flush(shown_us);
 }
 
 void SessionView::stop(const std::string& reason, std::int64_t now_us) {

@@ -35,6 +35,7 @@ struct Fixture {
     study::Statement statement(database, query);
     return statement.step() ? statement.text(0) : "nothing";
   }
+  std::string presses() const { return ask("SELECT count(*) FROM event WHERE kind = 'press'"); }
 };
 
 TEST(LiveSession, TheSessionStartsWhenItsTimeBeginsNotWhenItIsRecorded) {
@@ -43,6 +44,29 @@ TEST(LiveSession, TheSessionStartsWhenItsTimeBeginsNotWhenItIsRecorded) {
   session.live.record_as("P1");
   session.live.flush(31'000'000);
   EXPECT_EQ(session.ask("SELECT started_utc FROM session"), "2026-01-02T03:04:05Z");
+}
+
+TEST(LiveSession, WhatHappensIsOnTheDiskOneFrameLater) {
+  Fixture session;
+  session.live.record_as("P1");
+  session.live.flush(2'000'000);
+  for (std::int64_t k = 1; k <= 3; ++k) {
+    const std::int64_t t_us = 2'000'000 + k * 16'667;
+    session.live.take(study::Press{}, {.t_us = t_us});
+    session.live.flush(t_us);
+    EXPECT_EQ(session.presses(), std::to_string(k));
+  }
+}
+
+TEST(LiveSession, AFasterDisplayGathersFifteenMilliseconds) {
+  Fixture session;
+  session.live.record_as("P1");
+  session.live.flush(2'000'000);
+  session.live.take(study::Press{}, {.t_us = 2'007'000});
+  session.live.flush(2'007'000);
+  EXPECT_EQ(session.presses(), "0");
+  session.live.flush(2'015'000);
+  EXPECT_EQ(session.presses(), "1");
 }
 
 }  // namespace
