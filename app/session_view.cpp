@@ -174,8 +174,8 @@ void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
   live_.flush(shown_us);
 }
 
-void SessionView::stop(const std::string& reason, std::int64_t now_us) {
-  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_});
+void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {
+  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_}, actor);
   closed_ = true;
 }
 

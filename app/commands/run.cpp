@@ -61,6 +61,13 @@ void run(const Options& options) {
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
+  if (result.interrupted && !result.recorded) {
+    throw OutsideError("interrupted before the session began; nothing is stored, start it again");
+  }
+  if (result.interrupted) {
+    throw OutsideError("interrupted; the session until then is in " + setting.database +
+                       ", start a new one for the next participant");
+  }
   print_result(result, setting.database);
 }
 

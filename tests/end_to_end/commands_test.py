@@ -1,7 +1,11 @@
 #!/usr/bin/env python3
 """The commands as their users call them: exit codes, places of errors, nothing left behind."""
+import contextlib
 import json
+import signal
+import sqlite3
 import subprocess
+import time
 import unittest
 
 from program import PROMENADE, ProgramTest
@@ -89,6 +93,29 @@ class Commands(ProgramTest):
         for frames in ("0,,1", "0,", "", ",", "x"):
             result = self.call("motion", "positions", capture, "--frames", frames)
             self.assertEqual(result.returncode, 2, frames)
+
+    def test_told_to_end_a_simulation_stops_between_participants(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            db = self.folder / f"{number}.db"
+            running = subprocess.Popen(
+                [PROMENADE, "simulate", "configs/demo.toml", "--participants", "100000", "--seed",
+                 "1", "--db", db], cwd=self.folder, text=True, stderr=subprocess.PIPE,
+                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))  # nohup
+            while running.poll() is None and not self.has_session(db):
+                time.sleep(0.05)
+            running.send_signal(number)
+            said = running.communicate(timeout=120)[1]
+            self.assertEqual(running.returncode, 1, said)
+            self.assertIn("stopped after", said)
+
+    def has_session(self, db):
+        if not db.exists():
+            return False
+        try:
+            with contextlib.closing(sqlite3.connect(f"file:{db}?mode=ro", uri=True)) as file:
+                return file.execute("SELECT count(*) FROM session").fetchone()[0] > 0
+        except sqlite3.OperationalError:
+            return False
 
     def test_a_broken_capture_gives_place_and_reason(self):
         capture = self.write("cut.bvh", "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n")
