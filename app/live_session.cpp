@@ -44,12 +44,11 @@ bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
   if (recorded_) return true;
   header_.participant = participant;
   header_.new_participant = must_be_new;
-  header_.started_utc = study::utc_now();
   bool refused = false;
   guard([&] {
     refused = !begin();
     if (refused) return;
-    recorded_ = true;
+    recorded_ = unwritten_ = true;
     write(waiting_);
   });
   if (!refused) waiting_.clear();
@@ -76,13 +75,15 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
 }
 
 void LiveSession::write(const std::vector<Record>& records) {
+  unwritten_ = unwritten_ || !records.empty();
   for (const Record& record : records) store_.write(record);
   if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
 }
 
 void LiveSession::flush(std::int64_t now_us) {
-  if (!recorded_ || now_us - flushed_us_ < 40'000) return;
+  if (!unwritten_ || now_us - flushed_us_ < 15'000) return;
   flushed_us_ = now_us;
+  unwritten_ = false;
   guard([&] { store_.flush(); });
 }
 

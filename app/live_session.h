@@ -22,8 +22,8 @@ struct Moment {
 
 class LiveSession {
  public:
-  // The session begins at `began_us` on the monotonic clock; nothing is stored
-  // before record_as(). Both outlive it.
+  // The session begins at `began_us` on the monotonic clock, which is
+  // `header.started_utc`; nothing is stored before record_as(). The store outlives it.
   LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
               std::int64_t began_us);
 
@@ -38,7 +38,8 @@ class LiveSession {
   // Time passed, with nothing done.
   void tick(std::int64_t t_us) { take(study::Tick{}, {.t_us = t_us}, study::Actor::system); }
 
-  // Brings the log to the disk when 40 ms have passed since the last time.
+  // Brings what is new in the log to the disk, at most every 15 ms: called in every
+  // frame, it leaves nothing out for longer than 50 ms.
   void flush(std::int64_t now_us);
 
   const study::Session& session() const { return session_; }
@@ -59,6 +60,7 @@ class LiveSession {
   std::int64_t last_us_ = 0;  // of the last input, since the beginning
   std::int64_t flushed_us_ = 0;
   bool recorded_ = false;
+  bool unwritten_ = false;              // something waits for the next flush
   std::vector<study::Record> waiting_;  // from before record_as()
   std::optional<std::string> failure_;
 };

@@ -36,11 +36,18 @@ int run(int argc, char** argv) {
   return 0;
 }
 
+// A full disk behind stdout only shows when the buffer is emptied.
+int with_output(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  std::fputs("promenade: cannot write the output; make room or send it somewhere else\n", stderr);
+  return code == 0 ? 1 : code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return with_output(run(argc, argv));
   } catch (const promenade::InputError& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 2;

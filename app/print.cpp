@@ -11,10 +11,10 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_seen = 0;
 
-// The second Ctrl-C ends the program as usual.
-void note_interrupt(int) {
+// The second one ends the program as usual.
+void note_interrupt(int number) {
   interrupt_seen = 1;
-  std::signal(SIGINT, SIG_DFL);
+  std::signal(number, SIG_DFL);
 }
 
 }  // namespace
@@ -49,6 +49,9 @@ void show_progress(const std::string& what, int done, int count) {
 bool interrupted() {
   static const bool watching = [] {
     std::signal(SIGINT, note_interrupt);
+    std::signal(SIGTERM, note_interrupt);
+    // Under nohup the terminal may close.
+    if (std::signal(SIGHUP, note_interrupt) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
     return true;
   }();
   return watching && interrupt_seen != 0;

@@ -24,7 +24,8 @@ Json to_json(const std::optional<double>& value);  // null: nothing
 // "  done 12 of 40" on stderr, over itself, when that is a terminal.
 void show_progress(const std::string& what, int done, int count);
 
-// True once Ctrl-C was pressed; watching begins with the first call.
+// True once Ctrl-C was pressed, the program told to end (SIGTERM) or its terminal
+// closed (SIGHUP); watching begins with the first call.
 bool interrupted();
 
 }  // namespace promenade::app

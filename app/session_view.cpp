@@ -1,6 +1,7 @@
 #include "app/session_view.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 
 namespace promenade::app {
@@ -72,8 +73,8 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       content_{bundle.space, texts, names_, by_name_},
       stage_(bundle.space.set),
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
-  const std::size_t length = std::min(options.participant.size(), memory_.code.size() - 1);
-  std::copy_n(options.participant.begin(), length, memory_.code.begin());
+  assert(options.participant.size() < memory_.code.size() && "the code has been checked");
+  std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
 }
 
 bool SessionView::has_panel() const {
@@ -169,10 +170,11 @@ void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
     live_.take(study::LateFrame{late_us}, {.t_us = shown_us, .frame_us = shown_us},
                study::Actor::system);
   }
+  live_.flush(shown_us);
 }
 
-void SessionView::stop(const std::string& reason, std::int64_t now_us) {
-  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_});
+void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {
+  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_}, actor);
   closed_ = true;
 }
 

@@ -36,7 +36,8 @@ class SessionView {
   void frame(std::int64_t now_us);
   // A frame was put on screen.
   void shown(std::int64_t shown_us, std::int64_t late_us);
-  void stop(const std::string& reason, std::int64_t now_us);
+  // `actor`: the participant who closed the window, or the experimenter.
+  void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;
 
   Stage& stage() { return stage_; }

@@ -1,7 +1,6 @@
 #include "app/session_window.h"
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/autopilot.h"
 #include "app/print.h"
@@ -23,6 +22,7 @@ double quantile_ms(std::vector<std::int64_t> times_us, double share) {
 
 study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
   study::SessionHeader header;
+  header.started_utc = study::utc_now();
   header.station = setting.station;
   header.language = setting.language;
   header.simulated = setting.autopilot.has_value();
@@ -60,9 +60,13 @@ class Player {
                   .shown = [this](std::int64_t t, std::int64_t late) { view_->shown(t, late); },
                   .ended = [this] { return ended(); }});
     if (live_.failure()) throw OutsideError(*live_.failure());
-    return {live_.session().outcome(), quantile_ms(times.interval_us, 0.5),
-            quantile_ms(times.interval_us, 0.99), quantile_ms(times.work_us, 0.5),
-            quantile_ms(times.work_us, 0.99)};
+    return {.outcome = live_.session().outcome(),
+            .recorded = live_.recorded(),
+            .interrupted = interrupted_,
+            .frame_median = quantile_ms(times.interval_us, 0.5),
+            .frame_p99 = quantile_ms(times.interval_us, 0.99),
+            .work_median = quantile_ms(times.work_us, 0.5),
+            .work_p99 = quantile_ms(times.work_us, 0.99)};
   }
 
  private:
@@ -107,8 +111,11 @@ class Player {
   }
 
   void draw_screen(std::int64_t now_us) {
-    if (window_.closing()) view_->stop("window closed", now_us);
-    if (interrupted()) view_->stop("interrupted", now_us);
+    if (window_.closing()) view_->stop("window closed", now_us, study::Actor::participant);
+    if (interrupted() && !view_->ended()) {
+      view_->stop("interrupted", now_us, study::Actor::experimenter);
+      interrupted_ = true;
+    }
     if (view_->ended()) return;
     if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
     view_->frame(now_us);
@@ -127,6 +134,7 @@ class Player {
   LiveSession live_;
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;
+  bool interrupted_ = false;
 };
 
 }  // namespace

@@ -124,11 +124,24 @@ void show_info(const std::vector<std::string>& files, bool json) {
   }
 }
 
+// "0,,1" has three words; the one between is empty.
+std::vector<std::string> split(const std::string& list) {
+  std::vector<std::string> words(1);
+  for (const char letter : list) {
+    if (letter == ',') {
+      words.emplace_back();
+    } else {
+      words.back() += letter;
+    }
+  }
+  return words;
+}
+
 // "0,10,20" as numbers of frames of the clip.
-std::vector<int> frame_list(const motion::Clip& clip, const std::vector<std::string>& words) {
+std::vector<int> frame_list(const motion::Clip& clip, const std::string& list) {
   std::vector<int> frames;
   std::vector<Problem> problems;
-  for (const std::string& word : words) {
+  for (const std::string& word : split(list)) {
     int frame = 0;
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, frame);
@@ -155,12 +168,12 @@ Json frame_json(const motion::Clip& clip, int frame) {
   return {{"frame", frame}, {"positions", positions}};
 }
 
-void show_positions(const std::string& file, const std::vector<std::string>& words) {
+void show_positions(const std::string& file, const std::string& frames) {
   const motion::Clip clip = motion::load_clip(file);
   Json result = {{"file", file}, {"unit", "file"}, {"joints", Json::array()}};
   for (const motion::Joint& joint : clip.skeleton.joints) result["joints"].push_back(joint.name);
   result["frames"] = Json::array();
-  for (const int frame : frame_list(clip, words))
+  for (const int frame : frame_list(clip, frames))
     result["frames"].push_back(frame_json(clip, frame));
   print_problems(clip.warnings);
   print_json(result);
@@ -187,16 +200,14 @@ void add_info(CLI::App& motion_command) {
 void add_positions(CLI::App& motion_command) {
   struct Arguments {
     std::string file;
-    std::vector<std::string> frames;
+    std::string frames;
     bool json = false;
   };
   auto* command = motion_command.add_subcommand(
       "positions", "Joint positions by forward kinematics, as JSON, in units and axes of the file");
   const auto given = std::make_shared<Arguments>();
   command->add_option("file", given->file, "A capture (.bvh)")->required();
-  command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")
-      ->delimiter(',')
-      ->required();
+  command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
   command->callback([given] { show_positions(given->file, given->frames); });
 }

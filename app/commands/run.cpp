@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/commands.h"
+#include "app/participant_code.h"
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/session_window.h"
@@ -14,6 +15,7 @@ namespace {
 
 struct Options {
   std::string file, database, participant, station = "1", language;
+  bool has_participant = false;
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;
 };
@@ -29,11 +31,27 @@ std::string choose_language(const Options& options, const study::Study& study) {
                        study::did_you_mean(options.language, offered));
 }
 
+// Empty: the welcome page asks.
+std::string given_code(const Options& options) {
+  if (!options.has_participant) return "";
+  const std::string problem = participant_code_problem(options.participant);
+  if (!problem.empty()) throw InputError("--participant", problem);
+  return options.participant;
+}
+
+void print_result(const SessionResult& result, const std::string& database) {
+  print_text(fmt::format("session {}; it is in {}\n", study::to_text(result.outcome), database));
+  print_text(
+      fmt::format("frames: every {:.1f} ms in the middle, {:.1f} ms at the 99th percentile; "
+                  "drawn in {:.1f} and {:.1f} ms\n",
+                  result.frame_median, result.frame_p99, result.work_median, result.work_p99));
+}
+
 void run(const Options& options) {
   const study::StudyBundle bundle = study::load_study(options.file, interfaces());
   SessionSetting setting{.bundle = bundle,
                          .database = options.database,
-                         .participant = options.participant,
+                         .participant = given_code(options),
                          .station = options.station,
                          .language = choose_language(options, bundle.study),
                          .pilot = options.pilot,
@@ -43,12 +61,14 @@ void run(const Options& options) {
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
-  print_text(
-      fmt::format("session {}; it is in {}\n", study::to_text(result.outcome), setting.database));
-  print_text(
-      fmt::format("frames: every {:.1f} ms in the middle, {:.1f} ms at the 99th percentile; "
-                  "drawn in {:.1f} and {:.1f} ms\n",
-                  result.frame_median, result.frame_p99, result.work_median, result.work_p99));
+  if (result.interrupted && !result.recorded) {
+    throw OutsideError("interrupted before the session began; nothing is stored, start it again");
+  }
+  if (result.interrupted) {
+    throw OutsideError("interrupted; the session until then is in " + setting.database +
+                       ", start a new one for the next participant");
+  }
+  print_result(result, setting.database);
 }
 
 }  // namespace
@@ -58,8 +78,9 @@ void add_run_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
   command->add_option("study", options->file, "the study file (.toml)")->required();
   command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
-  command->add_option("--participant", options->participant,
-                      "the participant's code; without it the first page asks");
+  const CLI::Option* code =
+      command->add_option("--participant", options->participant,
+                          "the participant's code; without it the first page asks");
   command->add_flag("--pilot", options->pilot, "a trial run that does not count");
   command->add_option("--station", options->station, "the name of this place");
   command->add_option("--language", options->language, "en or ja (default: the study's first)");
@@ -68,7 +89,10 @@ void add_run_command(CLI::App& program) {
       ->add_option("--autopilot", options->autopilot,
                    "a simulated participant with this seed takes the mouse")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
-  command->callback([options] { run(*options); });
+  command->callback([options, code] {
+    options->has_participant = code->count() > 0;
+    run(*options);
+  });
 }
 
 }  // namespace promenade::app

@@ -106,16 +106,33 @@ void draw_share(const InterfacePanel& panel, const Columns& at, double share) {
             {text.data(), static_cast<std::size_t>(end + 1 - text.data())}, Align::right);
 }
 
-// A long name is cut, with an ellipsis.
+// Where the letters of UTF-8 begin, and the end.
+std::vector<std::size_t> letters_of(std::string_view text) {
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) starts.push_back(i);
+  }
+  starts.push_back(text.size());
+  return starts;
+}
+
+// A long name loses its middle: many names of a set differ at their ends only.
+std::string shortened(ImFont* font, std::string_view name, float width) {
+  if (text_width(font, name) <= width) return std::string(name);
+  const std::vector<std::size_t> at = letters_of(name);
+  std::string shown = "…";
+  for (std::size_t kept = at.size() - 2; kept > 0; --kept) {
+    const std::size_t head = (kept + 1) / 2;
+    const std::size_t tail = at[at.size() - 1 - (kept - head)];
+    shown = std::string(name.substr(0, at[head])) + "…" + std::string(name.substr(tail));
+    if (text_width(font, shown) <= width) return shown;
+  }
+  return shown;
+}
+
 void draw_name(const InterfacePanel& panel, const Box& box, std::string_view name) {
   ImFont* font = panel.look().fonts.text;
-  const bool whole = text_width(font, name) <= box.width;
-  std::string shown(name);
-  while (!whole && shown.size() > 1 && text_width(font, shown + "…") > box.width) {
-    do shown.pop_back();
-    while (shown.size() > 1 && (shown.back() & 0xC0) == 0x80);
-  }
-  draw_text(font, box, panel.look().palette.text, whole ? shown : shown + "…");
+  draw_text(font, box, panel.look().palette.text, shortened(font, name, box.width));
 }
 
 void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int cycle,

@@ -10,6 +10,7 @@
 
 #include "app/live_session.h"
 #include "app/panel.h"
+#include "app/participant_code.h"
 #include "app/stage.h"
 #include "study/session.h"
 
@@ -17,11 +18,12 @@ namespace promenade::app {
 
 // What the screen remembers between frames, beside the session.
 struct ScreenMemory {
-  std::array<char, 64> code{};  // being typed
-  bool code_refused = false;    // taken by someone else
-  bool wants_start = false;     // the welcome page is left: the code is to be checked
-  std::optional<Orbit> told;    // the camera that was last reported
-  int camera_trial = -1;        // the trial that the camera was set for
+  // Being typed; the longest code has room at four bytes a character.
+  std::array<char, 4 * longest_participant_code + 1> code{};
+  bool code_refused = false;  // taken by someone else
+  bool wants_start = false;   // the welcome page is left: the code is to be checked
+  std::optional<Orbit> told;  // the camera that was last reported
+  int camera_trial = -1;      // the trial that the camera was set for
 };
 
 // What a page draws from.

@@ -41,7 +41,7 @@ void draw_welcome(const Screen& screen) {
   const std::string& own = study::text_in(study.title, screen.language);
   const std::string text = screen.texts.with(
       "welcome.text", {{"count", std::to_string(screen.session.plan().trials.size())}});
-  const bool has_code = screen.memory.code[0] != '\0';
+  const bool has_code = participant_code_problem(screen.memory.code.data()).empty();
   bool pressed = false;
   const float below = draw_text_page(
       screen,

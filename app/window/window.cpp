@@ -64,7 +64,6 @@ struct Window::Callbacks {
     of(handle).stamp({.kind = UiEvent::Kind::character, .code = static_cast<int>(code)});
   }
   static void focus(GLFWwindow* handle, int gained) {
-    of(handle).focused_ = gained == GLFW_TRUE;
     of(handle).stamp({.kind = UiEvent::Kind::focus, .down = gained == GLFW_TRUE});
   }
   static void size(GLFWwindow* handle, int, int) { of(handle).measure(); }

@@ -33,7 +33,6 @@ class Window {
   void swap();
   bool closing() const;  // the person closed it
   void close();
-  bool focused() const { return focused_; }
   int width() const { return width_; }  // pixels of the framebuffer
   int height() const { return height_; }
   double refresh_hz() const { return refresh_hz_; }  // 0: not known
@@ -52,7 +51,6 @@ class Window {
   double pixels_per_unit_ = 1;  // framebuffer pixels in a unit of the window system
   double refresh_hz_ = 0;
   float content_scale_ = 1;
-  bool focused_ = true;
 };
 
 }  // namespace promenade::app

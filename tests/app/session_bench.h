@@ -27,7 +27,7 @@ class SessionBench {
   SessionView& view() { return view_; }
   InputQueue& queue() { return queue_; }
   const std::filesystem::path& file() const { return file_; }
-  void stop() { view_.stop("test", now_us_); }
+  void stop(study::Actor actor = study::Actor::participant) { view_.stop("test", now_us_, actor); }
   void type(const std::string& text);
 
  private:

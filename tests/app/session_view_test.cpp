@@ -66,6 +66,24 @@ TEST(SessionView, ClosingTheWindowInATrialAbortsItAndIsLogged) {
   EXPECT_EQ(count(bench, "trial WHERE outcome = 'aborted'"), 1);
 }
 
+TEST(SessionView, WhoStoppedTheSessionIsLogged) {
+  for (const study::Actor actor : {study::Actor::participant, study::Actor::experimenter}) {
+    SessionBench bench;
+    bench.type("P07");
+    bench.click("continue");
+    bench.stop(actor);
+    const std::string name(study::to_text(actor));
+    EXPECT_EQ(count(bench, "event WHERE kind = 'stop' AND actor = '" + name + "'"), 1) << name;
+  }
+}
+
+TEST(SessionView, ATypedCodeOfMoreThanFortyCharactersDoesNotStart) {
+  SessionBench bench;
+  bench.type(std::string(41, 'x'));
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::welcome);
+}
+
 TEST(SessionView, TimesNeverGoBackAndFramesComeBeforeTheirEvents) {
   SessionBench bench;
   ASSERT_TRUE(bench.play(30));

@@ -5,6 +5,7 @@ import hashlib
 import json
 import os
 import pathlib
+import shutil
 import sqlite3
 import subprocess
 import tempfile
@@ -14,10 +15,19 @@ PROMENADE = os.environ["PROMENADE"]
 PEOPLE = 12
 
 
-def promenade(*arguments, folder):
+def promenade(*arguments, folder, **environment):
     return subprocess.run([PROMENADE, *map(str, arguments)], cwd=folder, text=True,
                           capture_output=True, timeout=600,
-                          env={**os.environ, "LC_ALL": "C.UTF-8"})
+                          env={**os.environ, "LC_ALL": "C.UTF-8", **environment})
+
+
+def german(folder):
+    """The environment of a language with decimal commas, or None where it cannot be made."""
+    made = shutil.which("localedef") and subprocess.run(
+        ["localedef", "-i", "de_DE", "-f", "UTF-8", folder / "de_DE.UTF-8"], capture_output=True)
+    if not made or made.returncode != 0:
+        return None
+    return {"LOCPATH": str(folder), "LC_ALL": "de_DE.UTF-8", "LANG": "de_DE.UTF-8"}
 
 
 def content_of(file):
@@ -91,13 +101,25 @@ class Cohort(unittest.TestCase):
                              for d in ("report", "again")]
             self.assertEqual(first, second, file)
 
-    def test_tables_are_csv_with_points_for_decimals(self):
+    def test_tables_are_csv_of_as_many_columns_everywhere(self):
         tables = list((self.folder / "report" / "tables").glob("*.csv"))
         self.assertTrue(tables)
         for table in tables:
             with table.open(newline="") as file:
                 rows = list(csv.reader(file))
             self.assertEqual({len(row) for row in rows}, {len(rows[0])}, table)
+
+    def test_numbers_have_points_where_people_write_commas(self):
+        environment = german(self.folder)
+        if environment is None:
+            self.skipTest("no localedef, or no German to define (package locales)")
+        promenade("report", "one.db", "--out", "deutsch", "--include-simulated",
+                  folder=self.folder, **environment)
+        with (self.folder / "deutsch" / "tables" / "values.csv").open(newline="") as file:
+            values = [row["value"] for row in csv.DictReader(file)]
+        self.assertTrue(any("." in value for value in values))
+        for value in values:
+            float(value or 0)
 
     def test_the_seed_alone_decides_the_content(self):
         promenade("simulate", "configs/demo.toml", "--participants", 4, "--seed", 7, "--db",

@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 """The commands as their users call them: exit codes, places of errors, nothing left behind."""
+import contextlib
 import json
+import signal
+import sqlite3
+import subprocess
+import time
 import unittest
 
-from program import ProgramTest
+from program import PROMENADE, ProgramTest
 
 ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", "simulate",
        "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
@@ -69,6 +74,53 @@ class Commands(ProgramTest):
         self.assertEqual(result.returncode, 1)
         self.assertIn("display", result.stderr)
         self.assertEqual(self.left_behind(), [])
+
+    def test_output_that_cannot_be_written_is_an_error(self):
+        with open("/dev/full", "w") as full:
+            result = subprocess.run([PROMENADE, "set", "info", "builtin:A", "--json"], text=True,
+                                    stdout=full, stderr=subprocess.PIPE, timeout=120)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("cannot write", result.stderr)
+
+    def test_a_participant_code_is_checked_before_the_window(self):
+        for code in ("", 41 * "x", "P\n1", b"P\xff"):
+            result = self.call("run", "configs/demo.toml", "--db", "x.db", "--participant", code)
+            self.assertEqual(result.returncode, 2, code)
+            self.assertIn("--participant", result.stderr)
+        self.assertEqual(self.left_behind(), [])
+
+    def test_frames_of_positions_are_one_list(self):
+        self.call("set", "export", "builtin:A", "--out", "out")
+        capture = str(next((self.folder / "out").glob("*.bvh")))
+        result = self.call("motion", "positions", "--frames", "0,5", capture, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([f["frame"] for f in json.loads(result.stdout)["frames"]], [0, 5])
+        for frames in ("0,,1", "0,", "", ",", "x"):
+            result = self.call("motion", "positions", capture, "--frames", frames)
+            self.assertEqual(result.returncode, 2, frames)
+
+    def test_told_to_end_a_simulation_stops_between_participants(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            db = self.folder / f"{number}.db"
+            running = subprocess.Popen(
+                [PROMENADE, "simulate", "configs/demo.toml", "--participants", "100000", "--seed",
+                 "1", "--db", db], cwd=self.folder, text=True, stderr=subprocess.PIPE,
+                preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))  # nohup
+            while running.poll() is None and not self.has_session(db):
+                time.sleep(0.05)
+            running.send_signal(number)
+            said = running.communicate(timeout=120)[1]
+            self.assertEqual(running.returncode, 1, said)
+            self.assertIn("stopped after", said)
+
+    def has_session(self, db):
+        if not db.exists():
+            return False
+        try:
+            with contextlib.closing(sqlite3.connect(f"file:{db}?mode=ro", uri=True)) as file:
+                return file.execute("SELECT count(*) FROM session").fetchone()[0] > 0
+        except sqlite3.OperationalError:
+            return False
 
     def test_a_broken_capture_gives_place_and_reason(self):
         capture = self.write("cut.bvh", "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n")
