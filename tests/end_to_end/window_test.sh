@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The real window on a virtual display: a simulated participant plays the demo by
-# mouse, and a real pointer (xdotool) works the first pages.
+# The real window on a virtual display: a simulated participant plays a short
+# study by mouse, and a real pointer (xdotool) works the first pages of the demo.
 set -euo pipefail
 
 program=${PROMENADE:?names the program to test}
@@ -50,13 +50,48 @@ broken_input_opens_nothing() {
   expect "files left by broken input" "" "$(ls "$folder" | grep missing || true)"
 }
 
-autopilot_plays_the_demo() {
+write_short_study() {
+  cat >"$1" <<'END'
+[study]
+name = "short"
+set = "builtin:A"
+languages = ["en"]
+seed = 1
+
+[[interface]]
+name = "labels"
+
+[[task]]
+name = "match"
+kind = "match"
+limit_s = 10
+threshold = "auto"
+dwell_ms = 500
+start = "average"
+targets = [{ example = "proud" }]
+
+[[task]]
+name = "find"
+kind = "find"
+qualities = [{ name = "tired", en = "tired" }]
+
+[[rating]]
+item = "satisfaction"
+question = { en = "How satisfied are you?" }
+low = { en = "not at all" }
+high = { en = "completely" }
+points = 7
+END
+}
+
+autopilot_plays_a_short_study() {
   local db=$folder/auto.db
-  timeout 600 "$program" run configs/demo.toml --autopilot 1 --windowed --db "$db"
+  write_short_study "$folder/short.toml"
+  timeout 200 "$program" run "$folder/short.toml" --autopilot 1 --windowed --db "$db"
   expect "sessions" "finished|1" "$(ask "$db" "SELECT outcome, simulated FROM session")"
   expect "trials without an outcome" 0 \
     "$(ask "$db" "SELECT count(*) FROM trial WHERE outcome IS NULL")"
-  expect "trials that count" 4 "$(ask "$db" "SELECT count(*) FROM trial WHERE practice = 0")"
+  expect "trials that count" 2 "$(ask "$db" "SELECT count(*) FROM trial WHERE practice = 0")"
   expect "trials without presses" 0 "$(ask "$db" "SELECT count(*) FROM trial WHERE NOT EXISTS
     (SELECT 1 FROM event WHERE trial = trial.uuid AND kind = 'press' AND actor = 'participant')")"
   expect "changes that are no events" 0 "$(ask "$db" "SELECT count(*) FROM trial WHERE changes <>
@@ -82,9 +117,12 @@ a_real_mouse_works_the_first_pages() {
   wait_for 20 "$db" "SELECT count(*) FROM event WHERE kind = 'page' AND target = 'instructions'" 1
   expect "presses" 3 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
     AND actor = 'participant' AND uncertainty_us >= 0 AND x > 0")"
-  kill -INT "$running"
-  wait "$running" || true
+  local status=0
+  kill -TERM "$running"
+  wait "$running" || status=$?
   running=
+  expect "exit code of an interrupted session" 1 "$status"
+  expect "who stopped it" "experimenter" "$(ask "$db" "SELECT actor FROM event WHERE kind = 'stop'")"
   expect "session" "stopped|0|1|lab" \
     "$(ask "$db" "SELECT outcome, simulated, pilot, station FROM session")"
 }
@@ -93,5 +131,5 @@ cd "${PROMENADE_SOURCE_DIR:-$(dirname "$0")/../..}"
 no_display_says_so
 broken_input_opens_nothing
 a_real_mouse_works_the_first_pages
-autopilot_plays_the_demo
+autopilot_plays_a_short_study
 echo "the window works"
