@@ -170,6 +170,10 @@ std::vector<std::string> caveats(const Results& results) {
                         " belongs to several people of different files; they are told apart as " +
                         code + "/1, " + code + "/2 and so on.");
   }
+  if (results.log.not_finite > 0) {
+    sentences.push_back(count_of(results.log.not_finite, "logged value is", "logged values are") +
+                        " not finite and taken for missing.");
+  }
   if (results.log.repeated_sessions > 0) {
     sentences.push_back(
         count_of(results.log.repeated_sessions, "session stands", "sessions stand") +

@@ -108,6 +108,17 @@ TEST(Report, NeverPrintsWhatIsNoNumber) {
   }
 }
 
+TEST(Report, NotesValuesThatAreNotFinite) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 3, 0.001);
+    log.database().exec("UPDATE trial SET d_final = 9e999 WHERE uuid = '1/1'");
+  }
+  EXPECT_EQ(report(folder)["caveats"].back(),
+            "1 logged value is not finite and taken for missing.");
+}
+
 TEST(Report, ShowsNamesAsTextWhateverTheyHold) {
   const TestFolder folder;
   const std::string evil = "<script>alert(1)</script>";
