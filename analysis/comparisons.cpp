@@ -37,7 +37,7 @@ void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   comparison.test = wilcoxon(comparison.d);
   if (comparison.d.empty()) return;
   comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
-  const std::vector<double> walsh = walsh_averages(comparison.d);
+  const WalshAverages walsh(comparison.d);
   comparison.hl = hodges_lehmann(walsh);
   comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
 }
