@@ -31,7 +31,7 @@ std::map<std::string, std::string> contents(const std::string& folder) {
 }
 
 Json report(const TestFolder& folder, const SelectionOptions& selection = {}) {
-  write_report({{folder.file("a.db")}, folder.file("out"), selection});
+  write_report({{folder.file("a.db")}, folder.file("out"), selection, {}});
   return Json::parse(read_file(folder.file("out/report.json")));
 }
 
@@ -79,8 +79,8 @@ TEST(Report, PutsEveryFileInItsPlace) {
 TEST(Report, IsTheSameByteForByteWhenMadeAgain) {
   const TestFolder folder;
   make(folder, "a.db", 8, 0.002);
-  write_report({{folder.file("a.db")}, folder.file("one"), {}});
-  write_report({{folder.file("a.db")}, folder.file("two"), {}});
+  write_report({{folder.file("a.db")}, folder.file("one"), {}, {}});
+  write_report({{folder.file("a.db")}, folder.file("two"), {}, {}});
   EXPECT_EQ(contents(folder.file("one")), contents(folder.file("two")));
 }
 
@@ -190,6 +190,30 @@ TEST(Report, OfUnfinishedSessionsSaysSo) {
   const TestFolder folder;
   { ToyLog(folder.file("a.db")).session({"P1", "stopped"}).trial({}); }
   expect_nothing(folder, "of a finished session");
+}
+
+TEST(Report, SaysHowFarItIs) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  std::map<std::string, std::vector<int>> seen;
+  write_report({{folder.file("a.db")}, folder.file("out"), {}, [&](auto& what, int done, int) {
+                  seen[what].push_back(done);
+                  return true;
+                }});
+  EXPECT_EQ(seen["figures drawn:"], (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(seen["comparisons made:"].back(), 6 * 3) << "6 measures; mean, pooled, one target";
+}
+
+TEST(Report, StopsWhenAskedAndLeavesNothingBehind) {
+  for (const std::string when : {"figures drawn:", "comparisons made:"}) {
+    const TestFolder folder;
+    make(folder, "a.db", 6, 0.001);
+    const auto stop = [&](const std::string& what, int done, int) {
+      return what != when || done < 1;
+    };
+    EXPECT_THROW(write_report({{folder.file("a.db")}, folder.file("out"), {}, stop}), OutsideError);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 1) << "a.db alone";
+  }
 }
 
 TEST(Report, DoesNotOverwriteAFile) {
