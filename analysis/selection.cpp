@@ -106,8 +106,9 @@ void exclude(const Log& log, const std::string& file, Selection& selection) {
   std::vector<Problem> problems;
   for (const Exclusion& exclusion : selection.exclusions) {
     for (Person& person : selection.people) {
-      const bool meant = person.code == exclusion.code && person.fate == Fate::analysed;
-      if (meant) person.fate = Fate::excluded;
+      if (person.code != exclusion.code || person.fate != Fate::analysed) continue;
+      person.fate = Fate::excluded;
+      person.reason = exclusion.reason;
     }
     if (is_known(log, exclusion.code)) continue;
     problems.push_back({file, exclusion.line, 1,

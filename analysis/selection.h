@@ -24,6 +24,7 @@ struct Person {
   Fate fate = Fate::unfinished;
   int session = -1;  // the one analysed, index into Log::sessions
   bool simulated = false, pilot = false;
+  std::string reason;  // of who is excluded; may be empty
 };
 
 struct Selection {

@@ -76,6 +76,16 @@ TEST(Report, PutsEveryFileInItsPlace) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 2) << "a.db and out";
 }
 
+TEST(Report, GivesTheStatusOfEveryoneAndTheReasonOfWhoIsExcluded) {
+  const TestFolder folder;
+  make(folder, "a.db", 2, 0.001);
+  write_file(folder.file("x.csv"), "P2,\"spoke, slept\"\n");
+  report(folder, {false, false, folder.file("x.csv")});
+  EXPECT_EQ(read_file(folder.file("out/tables/participants.csv")),
+            "participant,status,reason,simulated,pilot\n"
+            "P1,analysed,,0,0\nP2,excluded,\"spoke, slept\",0,0\n");
+}
+
 TEST(Report, IsTheSameByteForByteWhenMadeAgain) {
   const TestFolder folder;
   make(folder, "a.db", 8, 0.002);
