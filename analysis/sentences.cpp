@@ -133,8 +133,9 @@ std::string sentence_on_measure(const Results& results, int measure, int task) {
   const auto pairs = results.pairs(measure, task);
   if (pairs.empty()) return only_interface(results, measure, task);
   const Comparison& pair = **std::min_element(pairs.begin(), pairs.end(), stronger);
-  return sentence_on(results.data, pair, size_of(pairs)) +
-         (is_significant(pair) && pairs.size() > 1 ? how_many_differ(pairs) : "");
+  std::string sentence = sentence_on(results.data, pair, size_of(pairs));
+  if (is_significant(pair) && pairs.size() > 1) sentence += how_many_differ(pairs);
+  return sentence;
 }
 
 std::vector<Spotlight> spotlights(const Results& results) {
