@@ -29,6 +29,10 @@ std::string p_with_family(const Comparison& comparison, int pairs) {
   return fmt::format("{} {}, Holm over {} pairs", kind, p_text(*comparison.p_holm), pairs);
 }
 
+const char* who_took_part(const Dataset& data) {
+  return data.all_simulated ? "simulated participants" : "people";
+}
+
 // "(95 % CI 0.4 to 1.5; n = 37; exact p = .004)"; sign turns a - b round.
 std::string evidence(const Measure& measure, const Comparison& comparison, double sign, int pairs) {
   std::string ci = "no 95 % CI with so few people";
@@ -107,7 +111,8 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
   }
   if (test.n == test.n_zero) {
     return fmt::format("{} had the same {} with {} as with {}.",
-                       test.n == 1 ? "The only person" : fmt::format("All {} people", test.n),
+                       test.n == 1 ? "The only participant"
+                                   : fmt::format("All {} {}", test.n, who_took_part(data)),
                        measure.label, a, b);
   }
   // By ranks where the estimate itself is zero.
@@ -124,7 +129,7 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
                        measure.label, a, b, a, b, with_unit(measure, *comparison.hl),
                        evidence(measure, comparison, 1, pairs));
   }
-  return fmt::format("With {} people {} than with {} {}.", a_lower ? a : b,
+  return fmt::format("With {} {} {} than with {} {}.", a_lower ? a : b, who_took_part(data),
                      advantage(measure, amount), a_lower ? b : a,
                      evidence(measure, comparison, sign, pairs));
 }
