@@ -23,6 +23,7 @@ constexpr auto table = std::to_array<Family>({
     {"wilson", families::wilson},
     {"clopper_pearson", families::clopper_pearson},
     {"p_adjust", families::p_adjust},
+    {"sign_test", families::sign_test},
 });
 
 // Line and column of a byte, both from 1.

@@ -39,5 +39,6 @@ Json hodges_lehmann(const Json& input);
 Json wilson(const Json& input);
 Json clopper_pearson(const Json& input);
 Json p_adjust(const Json& input);
+Json sign_test(const Json& input);
 
 }  // namespace promenade::analysis::families
