@@ -23,6 +23,7 @@ constexpr auto table = std::to_array<Family>({
     {"wilson", families::wilson},
     {"clopper_pearson", families::clopper_pearson},
     {"p_adjust", families::p_adjust},
+    {"mcnemar", families::mcnemar},
     {"sign_test", families::sign_test},
 });
 

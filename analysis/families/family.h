@@ -39,6 +39,7 @@ Json hodges_lehmann(const Json& input);
 Json wilson(const Json& input);
 Json clopper_pearson(const Json& input);
 Json p_adjust(const Json& input);
+Json mcnemar(const Json& input);
 Json sign_test(const Json& input);
 
 }  // namespace promenade::analysis::families
