@@ -25,6 +25,7 @@ constexpr auto table = std::to_array<Family>({
     {"p_adjust", families::p_adjust},
     {"mcnemar", families::mcnemar},
     {"sign_test", families::sign_test},
+    {"cochran_q", families::cochran_q},
 });
 
 // Line and column of a byte, both from 1.

@@ -41,5 +41,6 @@ Json clopper_pearson(const Json& input);
 Json p_adjust(const Json& input);
 Json mcnemar(const Json& input);
 Json sign_test(const Json& input);
+Json cochran_q(const Json& input);
 
 }  // namespace promenade::analysis::families
