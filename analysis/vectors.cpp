@@ -26,6 +26,7 @@ constexpr auto table = std::to_array<Family>({
     {"mcnemar", families::mcnemar},
     {"sign_test", families::sign_test},
     {"cochran_q", families::cochran_q},
+    {"friedman", families::friedman},
 });
 
 // Line and column of a byte, both from 1.

@@ -42,5 +42,6 @@ Json p_adjust(const Json& input);
 Json mcnemar(const Json& input);
 Json sign_test(const Json& input);
 Json cochran_q(const Json& input);
+Json friedman(const Json& input);
 
 }  // namespace promenade::analysis::families
