@@ -27,6 +27,7 @@ constexpr auto table = std::to_array<Family>({
     {"sign_test", families::sign_test},
     {"cochran_q", families::cochran_q},
     {"friedman", families::friedman},
+    {"kaplan_meier", families::kaplan_meier},
 });
 
 // Line and column of a byte, both from 1.

@@ -43,5 +43,6 @@ Json mcnemar(const Json& input);
 Json sign_test(const Json& input);
 Json cochran_q(const Json& input);
 Json friedman(const Json& input);
+Json kaplan_meier(const Json& input);
 
 }  // namespace promenade::analysis::families
