@@ -37,7 +37,7 @@ void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   comparison.test = wilcoxon(comparison.d);
   if (comparison.d.empty()) return;
   comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
-  const std::vector<double> walsh = walsh_averages(comparison.d);
+  const WalshAverages walsh(comparison.d);
   comparison.hl = hodges_lehmann(walsh);
   comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
 }
@@ -99,18 +99,22 @@ std::vector<Comparison> places_of(const Dataset& data, int measure, int task) {
 
 }  // namespace
 
-std::vector<Comparison> compare_all(const Dataset& data) {
-  std::vector<Comparison> all;
-  for (std::size_t task = 0; task < data.tasks.size(); ++task) {
-    for (std::size_t measure = 0; measure < data.measures.size(); ++measure) {
-      if (!occurs(data, static_cast<int>(measure), static_cast<int>(task))) continue;
-      for (const Comparison& place :
-           places_of(data, static_cast<int>(measure), static_cast<int>(task))) {
-        std::vector<Comparison> family = compare_at(data, place);
-        std::move(family.begin(), family.end(), std::back_inserter(all));
-      }
+std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress) {
+  std::vector<Comparison> places;
+  for (int task = 0; task < size_of(data.tasks); ++task) {
+    for (int measure = 0; measure < size_of(data.measures); ++measure) {
+      if (!occurs(data, measure, task)) continue;
+      const std::vector<Comparison> more = places_of(data, measure, task);
+      places.insert(places.end(), more.begin(), more.end());
     }
   }
+  std::vector<Comparison> all;
+  for (int done = 0; done < size_of(places); ++done) {
+    report_progress(progress, "comparisons made:", done, size_of(places));
+    std::vector<Comparison> family = compare_at(data, item(places, done));
+    std::move(family.begin(), family.end(), std::back_inserter(all));
+  }
+  report_progress(progress, "comparisons made:", size_of(places), size_of(places));
   return all;
 }
 

@@ -9,6 +9,7 @@
 
 #include "analysis/dataset.h"
 #include "analysis/hodges_lehmann.h"
+#include "analysis/progress.h"
 #include "analysis/wilcoxon.h"
 
 namespace promenade::analysis {
@@ -35,6 +36,7 @@ struct Comparison {
 // For every measure that has a value in the task: first the means per person, then
 // the pooled trials, then each target; within each the pairs in the order of the
 // interfaces. Holm's family is the pairs of one measure at one place.
-std::vector<Comparison> compare_all(const Dataset& data);
+// Throws OutsideError when `progress` stops it.
+std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress = {});
 
 }  // namespace promenade::analysis

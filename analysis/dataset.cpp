@@ -74,11 +74,14 @@ class Builder {
   Builder(const Log& log, const Selection& selection)
       : log_(log), outline_(study::outline_of(log.config_text)) {
     person_of_session_.assign(log.sessions.size(), -1);
+    int simulated = 0;
     for (const Person& person : selection.people) {
       if (person.fate != Fate::analysed) continue;
       item(person_of_session_, person.session) = size_of(data_.people);
       data_.people.push_back(person.code);
+      simulated += person.simulated ? 1 : 0;
     }
+    data_.all_simulated = simulated > 0 && simulated == size_of(data_.people);
   }
 
   Dataset build() {

@@ -44,7 +44,8 @@ struct Dataset {
   std::vector<Task> tasks;
   std::vector<Measure> measures;  // d_first, d_best, d_final, time_s, clicks, changes, ratings
   std::vector<Trial> trials;
-  int left_out_trials = 0;  // of these people: skipped, aborted or cut off
+  bool all_simulated = false;  // there are people, and none of them is real
+  int left_out_trials = 0;     // of these people: skipped, aborted or cut off
 
   int measure(std::string_view name) const;  // index; -1: none
 };

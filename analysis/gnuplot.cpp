@@ -38,6 +38,23 @@ class Actions {
   posix_spawn_file_actions_t actions_;
 };
 
+// Ctrl-C is ours to hear: gnuplot runs in a process group of its own, and ends its figure.
+class OwnGroup {
+ public:
+  OwnGroup() {
+    posix_spawnattr_init(&attributes_);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setpgroup(&attributes_, 0);
+  }
+  ~OwnGroup() { posix_spawnattr_destroy(&attributes_); }
+  OwnGroup(const OwnGroup&) = delete;
+  OwnGroup& operator=(const OwnGroup&) = delete;
+  const posix_spawnattr_t* get() const { return &attributes_; }
+
+ private:
+  posix_spawnattr_t attributes_;
+};
+
 // Ours, but for what would change numbers or read the settings of a user.
 std::vector<std::string> plain_environment() {
   std::vector<std::string> result = {"LC_ALL=C.UTF-8"};
@@ -62,8 +79,9 @@ int spawn_gnuplot(const std::filesystem::path& folder) {
   std::vector<std::string> arguments = {"gnuplot", "-d", script_name};
   std::vector<std::string> environment = plain_environment();
   const Actions actions(folder);
+  const OwnGroup group;
   pid_t process = 0;
-  const int error = posix_spawnp(&process, "gnuplot", actions.get(), nullptr,
+  const int error = posix_spawnp(&process, "gnuplot", actions.get(), group.get(),
                                  pointers(arguments).data(), pointers(environment).data());
   if (error != 0) {
     errno = error;

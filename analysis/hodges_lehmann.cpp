@@ -77,29 +77,20 @@ bool has_ties(std::vector<double> values) {
 
 }  // namespace
 
-std::vector<double> walsh_averages(const std::vector<double>& d) {
-  std::vector<double> walsh;
-  walsh.reserve(d.size() * (d.size() + 1) / 2);
-  for (std::size_t i = 0; i < d.size(); ++i) {
-    // Halves first: the sum of two large numbers may overflow.
-    for (std::size_t j = i; j < d.size(); ++j) walsh.push_back(d[i] / 2 + d[j] / 2);
-  }
-  std::sort(walsh.begin(), walsh.end());
-  return walsh;
+std::optional<double> hodges_lehmann(const WalshAverages& walsh) {
+  const std::int64_t half = walsh.size() / 2;
+  if (walsh.size() == 0) return std::nullopt;
+  if (walsh.size() % 2 == 1) return walsh[half];
+  return walsh[half - 1] / 2 + walsh[half] / 2;
 }
 
-std::optional<double> hodges_lehmann(const std::vector<double>& walsh) {
-  return median_of_sorted(walsh);
-}
-
-std::optional<LocationInterval> hodges_lehmann_interval(const std::vector<double>& walsh, int n,
+std::optional<LocationInterval> hodges_lehmann_interval(const WalshAverages& walsh, int n,
                                                         double level) {
   const double alpha = 1 - level;
   const bool exact = static_cast<std::size_t>(n) <= sign_flips_limit;
   const Cut cut = exact ? exact_cut(n, alpha) : normal_cut(n, alpha);
-  if (cut.c < 1 || walsh.empty()) return std::nullopt;
-  const auto c = static_cast<std::size_t>(cut.c);
-  return LocationInterval{{walsh[c - 1], walsh[walsh.size() - c]}, 1 - 2 * cut.tail};
+  if (cut.c < 1 || walsh.size() == 0) return std::nullopt;
+  return LocationInterval{{walsh[cut.c - 1], walsh[walsh.size() - cut.c]}, 1 - 2 * cut.tail};
 }
 
 std::optional<double> shift_estimate(const std::vector<double>& x, const std::vector<double>& y) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/interval.h"
+#include "analysis/walsh_averages.h"
 
 namespace promenade::analysis {
 
@@ -17,16 +18,13 @@ struct LocationInterval {
   double level = 0;  // attained: 1 - 2 P(W <= c-1), never below what was asked
 };
 
-// The sorted Walsh averages d_i/2 + d_j/2, i <= j: n(n+1)/2 of them.
-std::vector<double> walsh_averages(const std::vector<double>& d);
-
 // Median of the Walsh averages; nothing for no differences.
-std::optional<double> hodges_lehmann(const std::vector<double>& walsh);
+std::optional<double> hodges_lehmann(const WalshAverages& walsh);
 
 // Nothing where the level cannot be attained (95 %: n <= 5). Above
 // sign_flips_limit differences c comes from the normal approximation. n: how
 // many differences the averages were made of.
-std::optional<LocationInterval> hodges_lehmann_interval(const std::vector<double>& walsh, int n,
+std::optional<LocationInterval> hodges_lehmann_interval(const WalshAverages& walsh, int n,
                                                         double level);
 
 // The shift between two independent samples: the median of all x_i - y_j.

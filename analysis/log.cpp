@@ -2,6 +2,7 @@
 
 #include <sqlite3.h>
 
+#include <cmath>
 #include <filesystem>
 #include <map>
 
@@ -33,9 +34,13 @@ constexpr const char* answer_query =
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
 
-std::optional<double> real(const Statement& row, int column) {
+// SQLite stores infinities; they are counted in `dropped` and taken for missing.
+std::optional<double> real(const Statement& row, int column, int& dropped) {
   if (row.is_null(column)) return std::nullopt;
-  return row.real(column);
+  const double value = row.real(column);
+  if (std::isfinite(value)) return value;
+  ++dropped;
+  return std::nullopt;
 }
 
 constexpr const char* damaged =
@@ -51,10 +56,14 @@ Database open(const std::string& file) {
   study::check_database(database);
   Statement check(database, "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") throw InputError(file, damaged);
+  for (const char* table : {"session", "trial", "answer"}) {
+    Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
+    if (lost.step()) throw InputError(file, damaged);
+  }
   return database;
 }
 
-LoggedTrial trial_in(const Statement& row, int session) {
+LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
   LoggedTrial trial;
   trial.session = session;
   trial.uuid = row.text(1);
@@ -62,16 +71,16 @@ LoggedTrial trial_in(const Statement& row, int session) {
   trial.task = row.text(3);
   trial.interface = row.text(4);
   trial.target = row.text(5);
-  trial.limit_s = real(row, 6);
-  trial.threshold_m = real(row, 7);
+  trial.limit_s = real(row, 6, dropped);
+  trial.threshold_m = real(row, 7, dropped);
   trial.started_us = row.integer(8);
   if (!row.is_null(9)) trial.ended_us = row.integer(9);
   trial.outcome = row.text(10);
-  trial.d_first = real(row, 11);
-  trial.d_best = real(row, 12);
-  trial.d_final = real(row, 13);
-  trial.clicks = real(row, 14);
-  trial.changes = real(row, 15);
+  trial.d_first = real(row, 11, dropped);
+  trial.d_best = real(row, 12, dropped);
+  trial.d_final = real(row, 13, dropped);
+  trial.clicks = real(row, 14, dropped);
+  trial.changes = real(row, 15, dropped);
   return trial;
 }
 
@@ -126,7 +135,7 @@ class Reader {
       const int session = session_of_.at(row.text(0));
       if (item(log_.sessions, session).file != file_index()) continue;
       trial_of_.emplace(row.text(1), size_of(log_.trials));
-      log_.trials.push_back(trial_in(row, session));
+      log_.trials.push_back(trial_in(row, session, log_.not_finite));
       ++log_.files.back().trials;
     }
   }
@@ -137,7 +146,9 @@ class Reader {
     while (row.step()) {
       const auto trial = trial_of_.find(row.text(0));
       if (trial == trial_of_.end() || file_of_trial(trial->second) != file_index()) continue;
-      log_.answers.push_back({trial->second, row.text(1), row.real(2)});
+      const auto value = real(row, 2, log_.not_finite);
+      if (!value) continue;
+      log_.answers.push_back({trial->second, row.text(1), value});
       ++log_.files.back().answers;
     }
   }

@@ -52,11 +52,13 @@ struct Log {
   std::vector<LoggedTrial> trials;      // without practice; by session and position
   std::vector<LoggedAnswer> answers;    // about these trials, touched and not declined
   int repeated_sessions = 0;            // in more than one file, taken once
+  int not_finite = 0;                   // values that are infinite, taken for missing
 };
 
 // Reads databases of one study, read-only. Throws InputError, with the problems of
 // all files at once, when one is missing, no database of Promenade, from a newer
-// version, damaged, or of another study than the first.
+// version, damaged (also where a row refers to one that is gone), or of another study
+// than the first.
 Log read_log(const std::vector<std::string>& files);
 
 // The queries behind it, for people who want to repeat them.

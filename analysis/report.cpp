@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "analysis/figures.h"
+#include "analysis/item.h"
 #include "analysis/page.h"
 #include "analysis/report_json.h"
 #include "analysis/results.h"
@@ -55,17 +56,21 @@ fs::path folder_of(const fs::path& given) {
   return folder;
 }
 
-std::vector<DrawnFigure> draw_all(const Results& results, const fs::path& folder) {
+std::vector<DrawnFigure> draw_all(const Results& results, const fs::path& folder,
+                                  const Progress& progress) {
   std::vector<DrawnFigure> drawn;
-  for (const Figure& figure : figures_of(results)) {
+  const std::vector<Figure> figures = figures_of(results);
+  for (const Figure& figure : figures) {
+    report_progress(progress, "figures drawn:", size_of(drawn), size_of(figures));
     draw(results, figure, folder);
     drawn.push_back({figure, read_file(folder / (figure.name + ".svg"))});
   }
+  report_progress(progress, "figures drawn:", size_of(drawn), size_of(figures));
   return drawn;
 }
 
-void write_all(const Results& results, const fs::path& folder) {
-  const std::vector<DrawnFigure> figures = draw_all(results, folder / "figures");
+void write_all(const Results& results, const fs::path& folder, const Progress& progress) {
+  const std::vector<DrawnFigure> figures = draw_all(results, folder / "figures", progress);
   for (const Table& table : make_tables(results)) {
     write_file(folder / "tables" / (table.name + ".csv"), to_csv(table));
   }
@@ -102,9 +107,9 @@ void put_in_place(const fs::path& from, const fs::path& to) {
 
 void write_report(const ReportOptions& options) {
   const fs::path folder = folder_of(options.folder);
-  const Results results = compute_results(options.databases, options.selection);
+  const Results results = compute_results(options.databases, options.selection, options.progress);
   const Workshop workshop(folder);
-  write_all(results, workshop.path());
+  write_all(results, workshop.path(), options.progress);
   put_in_place(workshop.path(), folder);
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/progress.h"
 #include "analysis/selection.h"
 
 namespace promenade::analysis {
@@ -13,11 +14,12 @@ struct ReportOptions {
   std::vector<std::string> databases;  // at least one
   std::filesystem::path folder;        // made if missing; else its files are replaced
   SelectionOptions selection;
+  Progress progress = {};
 };
 
 // Everything is computed and drawn before anything appears at `folder`. Throws
 // InputError (wrong databases or exclusions, no finished trial, `folder` is a file)
-// and OutsideError (disk, gnuplot).
+// and OutsideError (disk, gnuplot, stopped by `progress`).
 void write_report(const ReportOptions& options);
 
 }  // namespace promenade::analysis

@@ -51,8 +51,8 @@ std::vector<const Summary*> Results::summaries_of(int measure, int task) const {
   return found;
 }
 
-Results compute_results(const std::vector<std::string>& databases,
-                        const SelectionOptions& options) {
+Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
+                        const Progress& progress) {
   Results results;
   results.log = read_log(databases);
   results.options = options;
@@ -61,7 +61,7 @@ Results compute_results(const std::vector<std::string>& databases,
   if (results.data.trials.empty()) {
     throw InputError(all_names(databases), nothing_to_report(results.selection));
   }
-  results.comparisons = compare_all(results.data);
+  results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);
   results.summaries = summaries(results.data);
   return results;

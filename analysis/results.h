@@ -26,7 +26,8 @@ struct Results {
 };
 
 // Reads the databases and runs every test. Throws InputError, also when no trial is
-// left to analyse.
-Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options);
+// left to analyse; OutsideError when `progress` stops it.
+Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
+                        const Progress& progress = {});
 
 }  // namespace promenade::analysis

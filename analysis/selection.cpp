@@ -52,13 +52,26 @@ Fate fate_of(const std::string& outcome) {
   return Fate::unfinished;
 }
 
-// Withdrawn in one session is withdrawn in all; else the first finished one
-// counts; else the last outcome.
+// Sessions of people before pilot ones before simulated ones.
+int rank_of(const LoggedSession& session) { return session.simulated ? 2 : session.pilot ? 1 : 0; }
+
+int best_rank(const Log& log, const Group& group) {
+  int best = rank_of(item(log.sessions, group.sessions[0]));
+  for (const int index : group.sessions) {
+    best = std::min(best, rank_of(item(log.sessions, index)));
+  }
+  return best;
+}
+
+// Someone's pilot session says nothing once they took part for real. Withdrawn in one
+// session is withdrawn in all; else the first finished one counts; else the last outcome.
 Person person_of(const Log& log, const Group& group) {
   Person person;
   person.code = group.code;
+  const int rank = best_rank(log, group);
   for (const int index : group.sessions) {
     const LoggedSession& session = item(log.sessions, index);
+    if (rank_of(session) != rank) continue;
     person.simulated = person.simulated || session.simulated;
     person.pilot = person.pilot || session.pilot;
     if (person.fate == Fate::withdrawn) continue;
@@ -93,8 +106,9 @@ void exclude(const Log& log, const std::string& file, Selection& selection) {
   std::vector<Problem> problems;
   for (const Exclusion& exclusion : selection.exclusions) {
     for (Person& person : selection.people) {
-      const bool meant = person.code == exclusion.code && person.fate == Fate::analysed;
-      if (meant) person.fate = Fate::excluded;
+      if (person.code != exclusion.code || person.fate != Fate::analysed) continue;
+      person.fate = Fate::excluded;
+      person.reason = exclusion.reason;
     }
     if (is_known(log, exclusion.code)) continue;
     problems.push_back({file, exclusion.line, 1,

@@ -22,8 +22,9 @@ enum class Fate { declined, withdrawn, unfinished, excluded, analysed };
 struct Person {
   std::string code;  // made unique where two people of different files share one
   Fate fate = Fate::unfinished;
-  int session = -1;  // the one analysed: the first finished; index into Log::sessions
+  int session = -1;  // the one analysed, index into Log::sessions
   bool simulated = false, pilot = false;
+  std::string reason;  // of who is excluded; may be empty
 };
 
 struct Selection {
@@ -38,6 +39,8 @@ struct Selection {
   bool any_pilot() const;
 };
 
+// A person's first finished session counts; pilot sessions only of who has no real
+// one, simulated ones only of who has neither.
 // Throws InputError when the exclusion file is wrong or names a code that nobody
 // has.
 Selection select(const Log& log, const SelectionOptions& options);

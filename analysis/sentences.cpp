@@ -29,6 +29,10 @@ std::string p_with_family(const Comparison& comparison, int pairs) {
   return fmt::format("{} {}, Holm over {} pairs", kind, p_text(*comparison.p_holm), pairs);
 }
 
+const char* who_took_part(const Dataset& data) {
+  return data.all_simulated ? "simulated participants" : "people";
+}
+
 // "(95 % CI 0.4 to 1.5; n = 37; exact p = .004)"; sign turns a - b round.
 std::string evidence(const Measure& measure, const Comparison& comparison, double sign, int pairs) {
   std::string ci = "no 95 % CI with so few people";
@@ -107,7 +111,8 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
   }
   if (test.n == test.n_zero) {
     return fmt::format("{} had the same {} with {} as with {}.",
-                       test.n == 1 ? "The only person" : fmt::format("All {} people", test.n),
+                       test.n == 1 ? "The only participant"
+                                   : fmt::format("All {} {}", test.n, who_took_part(data)),
                        measure.label, a, b);
   }
   // By ranks where the estimate itself is zero.
@@ -124,7 +129,7 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
                        measure.label, a, b, a, b, with_unit(measure, *comparison.hl),
                        evidence(measure, comparison, 1, pairs));
   }
-  return fmt::format("With {} people {} than with {} {}.", a_lower ? a : b,
+  return fmt::format("With {} {} {} than with {} {}.", a_lower ? a : b, who_took_part(data),
                      advantage(measure, amount), a_lower ? b : a,
                      evidence(measure, comparison, sign, pairs));
 }
@@ -133,8 +138,9 @@ std::string sentence_on_measure(const Results& results, int measure, int task) {
   const auto pairs = results.pairs(measure, task);
   if (pairs.empty()) return only_interface(results, measure, task);
   const Comparison& pair = **std::min_element(pairs.begin(), pairs.end(), stronger);
-  return sentence_on(results.data, pair, size_of(pairs)) +
-         (is_significant(pair) && pairs.size() > 1 ? how_many_differ(pairs) : "");
+  std::string sentence = sentence_on(results.data, pair, size_of(pairs));
+  if (is_significant(pair) && pairs.size() > 1) sentence += how_many_differ(pairs);
+  return sentence;
 }
 
 std::vector<Spotlight> spotlights(const Results& results) {
@@ -169,6 +175,10 @@ std::vector<std::string> caveats(const Results& results) {
     sentences.push_back("The code " + code +
                         " belongs to several people of different files; they are told apart as " +
                         code + "/1, " + code + "/2 and so on.");
+  }
+  if (results.log.not_finite > 0) {
+    sentences.push_back(count_of(results.log.not_finite, "logged value is", "logged values are") +
+                        " not finite and taken for missing.");
   }
   if (results.log.repeated_sessions > 0) {
     sentences.push_back(

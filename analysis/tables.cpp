@@ -99,22 +99,14 @@ Table summary_table(const Results& results) {
   return table;
 }
 
-std::string reason_of(const Selection& selection, const Person& person) {
-  for (const Exclusion& exclusion : selection.exclusions) {
-    if (person.fate == Fate::excluded && exclusion.code == person.code) return exclusion.reason;
-  }
-  return "";
-}
-
 Table participant_table(const Results& results) {
   Table table{"participants",
               "Everyone who began, and what became of them.",
-              {"participant", "fate", "reason", "simulated", "pilot"},
+              {"participant", "status", "reason", "simulated", "pilot"},
               {}};
   for (const Person& person : results.selection.people) {
-    table.rows.push_back({cell(person.code), cell(to_text(person.fate)),
-                          cell(reason_of(results.selection, person)), cell(person.simulated),
-                          cell(person.pilot)});
+    table.rows.push_back({cell(person.code), cell(to_text(person.fate)), cell(person.reason),
+                          cell(person.simulated), cell(person.pilot)});
   }
   return table;
 }

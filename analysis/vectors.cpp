@@ -23,6 +23,11 @@ constexpr auto table = std::to_array<Family>({
     {"wilson", families::wilson},
     {"clopper_pearson", families::clopper_pearson},
     {"p_adjust", families::p_adjust},
+    {"mcnemar", families::mcnemar},
+    {"sign_test", families::sign_test},
+    {"cochran_q", families::cochran_q},
+    {"friedman", families::friedman},
+    {"kaplan_meier", families::kaplan_meier},
 });
 
 // Line and column of a byte, both from 1.

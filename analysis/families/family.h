@@ -39,5 +39,10 @@ Json hodges_lehmann(const Json& input);
 Json wilson(const Json& input);
 Json clopper_pearson(const Json& input);
 Json p_adjust(const Json& input);
+Json mcnemar(const Json& input);
+Json sign_test(const Json& input);
+Json cochran_q(const Json& input);
+Json friedman(const Json& input);
+Json kaplan_meier(const Json& input);
 
 }  // namespace promenade::analysis::families

@@ -6,7 +6,7 @@ namespace promenade::analysis::families {
 namespace {
 
 Json one_sample(const std::vector<double>& x) {
-  const std::vector<double> walsh = walsh_averages(x);
+  const WalshAverages walsh(x);
   Json result = {{"type", "one_sample"}, {"estimate", to_json(analysis::hodges_lehmann(walsh))}};
   for (const auto& [name, asked] : {std::pair{"ci90", 0.90}, {"ci95", 0.95}, {"ci99", 0.99}}) {
     const auto ci = hodges_lehmann_interval(walsh, static_cast<int>(x.size()), asked);

@@ -31,7 +31,7 @@ Json statistics(const SignedRankTest& test) {
 }
 
 Json location(const std::vector<double>& d) {
-  const std::vector<double> walsh = walsh_averages(d);
+  const WalshAverages walsh(d);
   const auto ci = hodges_lehmann_interval(walsh, static_cast<int>(d.size()), 0.95);
   return {{"estimate", to_json(analysis::hodges_lehmann(walsh))},
           {"ci95", ci ? to_json(ci->interval) : Json()},

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/commands.h"
+#include "app/print.h"
 #include "motion/problem.h"
 
 namespace promenade::app {
@@ -20,6 +21,11 @@ void run_report(Arguments& arguments) {
     throw OutsideError("report --prereg is not in this version of Promenade yet; leave it out");
   }
   arguments.options.folder = arguments.folder;
+  arguments.options.progress = [](const std::string& what, int done, int count) {
+    show_progress(what, done, count);
+    return !interrupted();
+  };
+  interrupted();
   analysis::write_report(arguments.options);
   std::fprintf(stderr, "%s/report.html\n", arguments.folder.c_str());
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "motion/files.h"
 #include "tests/analysis/toy_log.h"
 
 namespace promenade::analysis {
@@ -17,6 +18,15 @@ TEST(Dataset, HasInterfacesInTheOrderOfTheStudy) {
   ToyLog(folder.file("a.db")).session({}).trial({"labels"}).trial({"weights"}).trial({"another"});
   EXPECT_EQ(dataset_of(folder.file("a.db")).interfaces,
             (std::vector<std::string>{"weights", "labels", "another"}));
+}
+
+TEST(Dataset, HasTheMeasuresThatTheManualLists) {
+  const std::string manual =
+      read_file(std::filesystem::path(PROMENADE_SOURCE_DIR) / "docs/analysts.md");
+  for (const Measure& measure : make_dataset({}, {}).measures) {
+    const std::string unit = measure.unit.empty() ? " | " : " | " + measure.unit + " | ";
+    EXPECT_NE(manual.find("| `" + measure.name + "`" + unit), std::string::npos) << measure.name;
+  }
 }
 
 TEST(Dataset, RestrictsTimeToTheLimit) {

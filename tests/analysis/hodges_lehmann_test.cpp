@@ -9,22 +9,21 @@ namespace promenade::analysis {
 namespace {
 
 std::optional<LocationInterval> interval_of(const std::vector<double>& d, double level) {
-  return hodges_lehmann_interval(walsh_averages(d), static_cast<int>(d.size()), level);
+  return hodges_lehmann_interval(WalshAverages(d), static_cast<int>(d.size()), level);
 }
 
 TEST(HodgesLehmann, IsTheMedianOfTheWalshAverages) {
   // 1 1.5 2 | 3 3.5 5: averages of {1, 2, 5} with themselves and one another
-  EXPECT_EQ(walsh_averages({5, 1, 2}), (std::vector<double>{1, 1.5, 2, 3, 3.5, 5}));
-  EXPECT_EQ(hodges_lehmann(walsh_averages({5, 1, 2})), 2.5);
+  EXPECT_EQ(hodges_lehmann(WalshAverages({5, 1, 2})), 2.5);
 }
 
 TEST(HodgesLehmann, OfNothingIsNothing) {
-  EXPECT_FALSE(hodges_lehmann(walsh_averages({})));
+  EXPECT_FALSE(hodges_lehmann(WalshAverages({})));
   EXPECT_FALSE(interval_of({}, 0.95));
 }
 
 TEST(HodgesLehmann, DoesNotOverflow) {
-  EXPECT_DOUBLE_EQ(*hodges_lehmann(walsh_averages({1.6e308, 1.7e308})), 1.65e308);
+  EXPECT_DOUBLE_EQ(*hodges_lehmann(WalshAverages({1.6e308, 1.7e308})), 1.65e308);
 }
 
 // With n values the widest interval has level 1 - 2/2^n: 0.9375 for 5, 0.96875 for 6.
@@ -41,7 +40,7 @@ TEST(HodgesLehmann, HasNoIntervalOf95PercentForFiveValues) {
 TEST(HodgesLehmann, GoesInAsFarAsTheTableOfTheTestSays) {
   std::vector<double> d(13);
   std::iota(d.begin(), d.end(), 1.0);
-  const std::vector<double> walsh = walsh_averages(d);
+  const WalshAverages walsh(d);
   const auto interval = interval_of(d, 0.95);
   ASSERT_TRUE(interval);
   EXPECT_EQ(interval->interval.lower, walsh[17]);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "motion/files.h"
 #include "motion/problem.h"
 #include "tests/analysis/toy_log.h"
@@ -99,6 +101,29 @@ TEST(Log, RefusesTablesThatAreNotThere) {
   const TestFolder folder;
   { ToyLog(folder.file("a.db")).database().exec("DROP TABLE answer"); }
   EXPECT_TRUE(says(message_of({folder.file("a.db")}), "damaged"));
+}
+
+TEST(Log, RefusesRowsThatReferToNothing) {
+  for (const char* table : {"participant", "session", "trial"}) {
+    const TestFolder folder;
+    {
+      ToyLog log(folder.file("a.db"));
+      log.session({}).trial({}).answer("ease", 3);
+      log.database().exec("PRAGMA foreign_keys = OFF");
+      log.database().exec(std::string("DELETE FROM ") + table);
+    }
+    EXPECT_TRUE(says(message_of({folder.file("a.db")}), "a.db: error: is damaged")) << table;
+  }
+}
+
+TEST(Log, TakesInfiniteValuesForMissingAndCountsThem) {
+  const TestFolder folder;
+  const double infinity = std::numeric_limits<double>::infinity();
+  ToyLog(folder.file("a.db")).session({}).trial({.d_final = infinity}).answer("ease", infinity);
+  const Log log = read_log({folder.file("a.db")});
+  EXPECT_EQ(log.trials[0].d_final, std::nullopt);
+  EXPECT_TRUE(log.answers.empty());
+  EXPECT_EQ(log.not_finite, 3) << "d_best, d_final and the answer";
 }
 
 TEST(Log, LeavesTheFileAndItsFolderAsTheyWere) {

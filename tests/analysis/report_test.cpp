@@ -31,7 +31,7 @@ std::map<std::string, std::string> contents(const std::string& folder) {
 }
 
 Json report(const TestFolder& folder, const SelectionOptions& selection = {}) {
-  write_report({{folder.file("a.db")}, folder.file("out"), selection});
+  write_report({{folder.file("a.db")}, folder.file("out"), selection, {}});
   return Json::parse(read_file(folder.file("out/report.json")));
 }
 
@@ -76,11 +76,21 @@ TEST(Report, PutsEveryFileInItsPlace) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 2) << "a.db and out";
 }
 
+TEST(Report, GivesTheStatusOfEveryoneAndTheReasonOfWhoIsExcluded) {
+  const TestFolder folder;
+  make(folder, "a.db", 2, 0.001);
+  write_file(folder.file("x.csv"), "P2,\"spoke, slept\"\n");
+  report(folder, {false, false, folder.file("x.csv")});
+  EXPECT_EQ(read_file(folder.file("out/tables/participants.csv")),
+            "participant,status,reason,simulated,pilot\n"
+            "P1,analysed,,0,0\nP2,excluded,\"spoke, slept\",0,0\n");
+}
+
 TEST(Report, IsTheSameByteForByteWhenMadeAgain) {
   const TestFolder folder;
   make(folder, "a.db", 8, 0.002);
-  write_report({{folder.file("a.db")}, folder.file("one"), {}});
-  write_report({{folder.file("a.db")}, folder.file("two"), {}});
+  write_report({{folder.file("a.db")}, folder.file("one"), {}, {}});
+  write_report({{folder.file("a.db")}, folder.file("two"), {}, {}});
   EXPECT_EQ(contents(folder.file("one")), contents(folder.file("two")));
 }
 
@@ -106,6 +116,17 @@ TEST(Report, NeverPrintsWhatIsNoNumber) {
       EXPECT_FALSE(std::regex_search(plain, no_number)) << name << " " << people;
     }
   }
+}
+
+TEST(Report, NotesValuesThatAreNotFinite) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 3, 0.001);
+    log.database().exec("UPDATE trial SET d_final = 9e999 WHERE uuid = '1/1'");
+  }
+  EXPECT_EQ(report(folder)["caveats"].back(),
+            "1 logged value is not finite and taken for missing.");
 }
 
 TEST(Report, ShowsNamesAsTextWhateverTheyHold) {
@@ -179,6 +200,30 @@ TEST(Report, OfUnfinishedSessionsSaysSo) {
   const TestFolder folder;
   { ToyLog(folder.file("a.db")).session({"P1", "stopped"}).trial({}); }
   expect_nothing(folder, "of a finished session");
+}
+
+TEST(Report, SaysHowFarItIs) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  std::map<std::string, std::vector<int>> seen;
+  write_report({{folder.file("a.db")}, folder.file("out"), {}, [&](auto& what, int done, int) {
+                  seen[what].push_back(done);
+                  return true;
+                }});
+  EXPECT_EQ(seen["figures drawn:"], (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(seen["comparisons made:"].back(), 6 * 3) << "6 measures; mean, pooled, one target";
+}
+
+TEST(Report, StopsWhenAskedAndLeavesNothingBehind) {
+  for (const std::string when : {"figures drawn:", "comparisons made:"}) {
+    const TestFolder folder;
+    make(folder, "a.db", 6, 0.001);
+    const auto stop = [&](const std::string& what, int done, int) {
+      return what != when || done < 1;
+    };
+    EXPECT_THROW(write_report({{folder.file("a.db")}, folder.file("out"), {}, stop}), OutsideError);
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 1) << "a.db alone";
+  }
 }
 
 TEST(Report, DoesNotOverwriteAFile) {

@@ -66,6 +66,30 @@ TEST(Selection, LeavesOutSimulatedAndPilotUnlessAsked) {
   EXPECT_TRUE(all.any_simulated() && all.any_pilot());
 }
 
+TEST(Selection, PrefersTheRealSessionOfAPersonToAnEarlierPilot) {
+  Log log;
+  log.sessions = {session("P1", "finished", "pilot"), session("P1", "finished", "real"),
+                  session("P2", "finished", "alone")};
+  log.sessions[0].pilot = log.sessions[2].pilot = true;
+  const Selection selection = select(log, {false, true, ""});
+  EXPECT_EQ(selection.people[0].session, 1);
+  EXPECT_FALSE(selection.people[0].pilot);
+  EXPECT_EQ(selection.people[1].session, 2);
+  EXPECT_TRUE(selection.people[1].pilot);
+}
+
+TEST(Selection, KeepsTheReasonOfEveryoneExcludedUnderASharedCode) {
+  const TestFolder folder;
+  write_file(folder.file("x.csv"), "P1,spoke\n");
+  Log log;
+  log.sessions = {session("P1", "finished"), session("P1", "finished", "x")};
+  log.sessions[1].participant = "another";
+  const Selection selection = select(log, {false, false, folder.file("x.csv")});
+  EXPECT_EQ(fates(selection), "P1/1:3 P1/2:3 ");
+  EXPECT_EQ(selection.people[0].reason, "spoke");
+  EXPECT_EQ(selection.people[1].reason, "spoke");
+}
+
 TEST(Selection, TellsPeopleWithOneCodeInDifferentFilesApart) {
   Log log;
   log.sessions = {session("P1", "finished"), session("P1", "finished", "x")};

@@ -29,6 +29,18 @@ TEST(Sentences, SayWhatIsBetterByHowMuchAndHowSure) {
       "exact p < .001).");
 }
 
+TEST(Sentences, DoNotCallSimulatedParticipantsPeople) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 12, 0.001);
+    log.database().exec("UPDATE session SET simulated = 1");
+  }
+  const Results results = compute_results({folder.file("a.db")}, {true, false, ""});
+  EXPECT_EQ(sentence(results, "d_final").find("With labels simulated participants came 0.7 cm"),
+            0u);
+}
+
 TEST(Sentences, SayThatAllDifferencesAreZero) {
   const TestFolder folder;
   EXPECT_EQ(sentence(results_of(folder, 12, 0), "d_final"),
