@@ -41,14 +41,14 @@ struct Fixture {
 TEST(LiveSession, TheSessionStartsWhenItsTimeBeginsNotWhenItIsRecorded) {
   Fixture session;
   session.live.tick(31'000'000);
-  session.live.record_as("P1");
+  session.live.record_as("P1", true);
   session.live.flush(31'000'000);
   EXPECT_EQ(session.ask("SELECT started_utc FROM session"), "2026-01-02T03:04:05Z");
 }
 
 TEST(LiveSession, WhatHappensIsOnTheDiskOneFrameLater) {
   Fixture session;
-  session.live.record_as("P1");
+  session.live.record_as("P1", true);
   session.live.flush(2'000'000);
   for (std::int64_t k = 1; k <= 3; ++k) {
     const std::int64_t t_us = 2'000'000 + k * 16'667;
@@ -60,7 +60,7 @@ TEST(LiveSession, WhatHappensIsOnTheDiskOneFrameLater) {
 
 TEST(LiveSession, AFasterDisplayGathersFifteenMilliseconds) {
   Fixture session;
-  session.live.record_as("P1");
+  session.live.record_as("P1", true);
   session.live.flush(2'000'000);
   session.live.take(study::Press{}, {.t_us = 2'007'000});
   session.live.flush(2'007'000);
