@@ -70,11 +70,12 @@ RestrictedMean restricted_mean(const Survival& survival, double tau) {
   double area = 0;
   double variance = 0;
   double right = tau;
-  for (auto step = survival.steps.rbegin(); step != survival.steps.rend(); ++step) {
-    if (step->time >= tau) continue;
-    area += step->survival * (right - step->time);
-    right = step->time;
-    if (step->done < step->at_risk) variance += area * area * greenwood_term(*step);
+  for (std::size_t k = survival.steps.size(); k > 0; --k) {
+    const auto& step = survival.steps[k - 1];
+    if (step.time >= tau) continue;
+    area += step.survival * (right - step.time);
+    right = step.time;
+    if (step.done < step.at_risk) variance += area * area * greenwood_term(step);
   }
   return {area + right, std::sqrt(variance)};
 }

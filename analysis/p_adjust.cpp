@@ -60,7 +60,7 @@ std::vector<double> adjust_bh(const std::vector<double>& p) {
 std::vector<double> adjust_by(const std::vector<double>& p) {
   const auto m = static_cast<double>(p.size());
   double harmonic = 0;
-  for (double k = 1; k <= m; ++k) harmonic += 1 / k;
+  for (std::size_t k = 1; k <= p.size(); ++k) harmonic += 1 / static_cast<double>(k);
   return step_up(p, [m, harmonic](double k) { return harmonic * m / k; });
 }
 

@@ -2,8 +2,9 @@
 
 namespace promenade::analysis {
 
-std::string_view page_css() {
-  return R"css(
+namespace {
+
+constexpr std::string_view css = R"css(
 :root { --ink: #1d2126; --quiet: #5d6670; --line: #d5d9de; --data: #0072b2; }
 * { box-sizing: border-box; }
 body { margin: 0; background: #fff; color: var(--ink);
@@ -100,6 +101,9 @@ code { font-size: 14px; overflow-wrap: anywhere; }
   figure { flex: 0 0 47%; } .buttons { display: none; }
 }
 )css";
-}
+
+}  // namespace
+
+std::string_view page_css() { return css; }
 
 }  // namespace promenade::analysis

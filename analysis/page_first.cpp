@@ -64,7 +64,8 @@ Html dots(const std::vector<std::optional<double>>& values, const Axis& axis, do
   for (const double x : sorted) {
     stacked = x - first < 1.6 * dot_radius ? stacked + 1 : 0;
     if (stacked == 0) first = x;
-    const double away = 1.7 * dot_radius * ((stacked + 1) / 2);
+    const int level = (stacked + 1) / 2;
+    const double away = 1.7 * dot_radius * level;
     const double y = dot_row + std::min(away, 16.0) * (stacked % 2 == 1 ? -1 : 1);
     html += empty_element("circle", {{"cx", px(x)},
                                      {"cy", px(y)},
@@ -93,10 +94,14 @@ Html drawing(double height, const Html& content, const std::string& label) {
                  content);
 }
 
+// Steps from 0 to the last tick.
+int tick_count(const Axis& axis) { return static_cast<int>(axis.last * (1 + 1e-9) / axis.step); }
+
 Html grid(const Axis& axis, double height) {
   Html html;
-  for (double tick = 0; tick <= axis.last * (1 + 1e-9); tick += axis.step) {
-    html += line(axis.x(tick), 0, axis.x(tick), height, "#e3e6e9", "1");
+  for (int k = 0; k <= tick_count(axis); ++k) {
+    const double x = axis.x(k * axis.step);
+    html += line(x, 0, x, height, "#e3e6e9", "1");
   }
   return html;
 }
@@ -120,7 +125,8 @@ Html strip(const Results& results, const Summary& summary, const Axis& axis) {
 Html axis_strip(const Measure& measure, const Axis& axis) {
   Html ticks;
   const int decimals = axis.step < 1 ? static_cast<int>(std::ceil(-std::log10(axis.step))) : 0;
-  for (double tick = 0; tick <= axis.last * (1 + 1e-9); tick += axis.step) {
+  for (int k = 0; k <= tick_count(axis); ++k) {
+    const double tick = k * axis.step;
     ticks += element("text", {{"x", px(axis.x(tick))}, {"y", "16"}, {"text-anchor", "middle"}},
                      text(fixed(tick, decimals)));
   }

@@ -24,7 +24,7 @@ std::string rank_sum(double w) { return fixed(w, w == std::floor(w) ? 0 : 1); }
 
 std::string difference(const Measure& measure, const Comparison& one) {
   if (!one.hl) return dash;
-  const std::string estimate = with_unit(measure, *one.hl);
+  std::string estimate = with_unit(measure, *one.hl);
   if (!one.hl_ci) return estimate;
   return estimate + " [" + shown(measure, one.hl_ci->interval.lower) + ", " +
          shown(measure, one.hl_ci->interval.upper) + "]";
@@ -67,8 +67,8 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
   table.caption = std::move(caption);
   const bool by_target = pooling == Pooling::none;
   table.columns = {"measure"};
-  if (by_target) table.columns.push_back("target");
-  table.columns.push_back("a − b");
+  if (by_target) table.columns.emplace_back("target");
+  table.columns.emplace_back("a − b");
   table.heads = size_of(table.columns);
   table.columns.insert(table.columns.end(), test_columns().begin(), test_columns().end());
   for (const Comparison& one : results.comparisons) {

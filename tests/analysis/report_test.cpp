@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "motion/files.h"
 #include "motion/problem.h"
@@ -104,16 +104,31 @@ TEST(Report, ReplacesAnOlderOneAndLeavesOtherFilesAlone) {
   EXPECT_EQ(read_file(folder.file("out/notes.txt")), "mine");
 }
 
+// In any case of letters, as a word of its own. Pictures inside the page do not count.
+bool has_word(std::string text, const std::string& word) {
+  for (auto at = text.find("base64,"); at != std::string::npos; at = text.find("base64,", at + 1)) {
+    text.erase(at, text.find('"', at) - at);
+  }
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  std::transform(text.begin(), text.end(), text.begin(), lower);
+  const auto letter = [&](std::size_t i) {
+    return i < text.size() && text[i] >= 'a' && text[i] <= 'z';
+  };
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    if (!letter(at - 1) && !letter(at + word.size())) return true;
+  }
+  return false;
+}
+
 TEST(Report, NeverPrintsWhatIsNoNumber) {
-  const std::regex no_number("(^|[^a-z])(nan|inf)([^a-z]|$)", std::regex::icase);
   for (const auto& [people, step] : {std::pair{1, 0.0}, {1, 0.01}, {3, 0.0}, {12, 0.0}}) {
     const TestFolder folder;
     make(folder, "a.db", people, step);
     report(folder);
     for (const auto& [name, bytes] : contents(folder.file("out"))) {
       if (name.find(".pdf") != std::string::npos) continue;
-      const std::string plain = std::regex_replace(bytes, std::regex("base64,[^\"]*"), "");
-      EXPECT_FALSE(std::regex_search(plain, no_number)) << name << " " << people;
+      EXPECT_FALSE(has_word(bytes, "nan")) << name << " " << people;
+      EXPECT_FALSE(has_word(bytes, "inf")) << name << " " << people;
     }
   }
 }
