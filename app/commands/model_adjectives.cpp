@@ -100,10 +100,11 @@ std::string pairs_csv(const RatingsTable& table, const motion::Quantification& q
 
 void show(const Arguments& given) {
   const std::string text = read_file(given.ratings);
-  if (text.rfind("SQLite format 3", 0) == 0)
+  if (text.rfind("SQLite format 3", 0) == 0) {
     throw OutsideError(given.ratings +
                        ": ratings from a database are not in this version yet; give them as CSV "
                        "with the columns rater,motion,pair,value");
+  }
   motion::MotionSet set;
   std::vector<std::string> names;
   if (!given.set.empty()) set = study::load_motion_set(given.set, "");

@@ -60,10 +60,11 @@ class Reader {
       report(row, 0,
              fmt::format("the value \"{}\" is not a number from -2 to 2", cell(row, value)));
     const std::string& name = cell(row, motion_name);
-    if (!motions_.empty() && std::find(motions_.begin(), motions_.end(), name) == motions_.end())
+    if (!motions_.empty() && std::find(motions_.begin(), motions_.end(), name) == motions_.end()) {
       report(
           row, 0,
           fmt::format("the set has no motion \"{}\"{}", name, study::did_you_mean(name, motions_)));
+    }
     if (cell(row, pair).empty()) report(row, 0, "the pair is empty");
   }
   static int number_of(std::map<std::string, int>& known, const std::string& name) {
