@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/models/quantile.h"
+
 namespace promenade::study {
 namespace {
 
@@ -27,13 +29,6 @@ bool has_several_styles(const motion::MotionSet& set) {
   return std::any_of(set.cycles.begin(), set.cycles.end(), [&](const motion::Cycle& cycle) {
     return cycle.style != set.cycles.front().style;
   });
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
 // One interface in search of one target.
@@ -119,7 +114,7 @@ double median_style_distance(const motion::MotionSpace& space) {
       distances.push_back(motion::distance(points[i], points[j]).mean_m);
     }
   }
-  return median(std::move(distances));
+  return distances.empty() ? 0 : motion::quantile(std::move(distances), 0.5);
 }
 
 double automatic_threshold(const motion::MotionSpace& space, const Task& task) {
