@@ -1,10 +1,14 @@
 #include "study/store_open.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstring>
+#include <optional>
+#include <thread>
 
 #include "study/schema.h"
 #include "study/store.h"
@@ -21,15 +25,41 @@ void make_folder(const std::filesystem::path& file) {
                      error.message() + "); name another place for the database");
 }
 
+// One at a time makes a database in a folder: SQLite does not wait for another that
+// switches the same new file to its journal mode. Where folders cannot be locked, or
+// somebody keeps this one, it goes on without.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::filesystem::path& file)
+      : handle_(::open((file.has_parent_path() ? file.parent_path() : ".").c_str(),
+                       O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    constexpr auto pause = std::chrono::milliseconds(5);
+    for (int tries = 0; tries < 400; ++tries) {  // two seconds, as long as SQLite waits
+      if (::flock(handle_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+      std::this_thread::sleep_for(pause);
+    }
+  }
+  ~FolderLock() {
+    if (handle_ >= 0) ::close(handle_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int handle_;
+};
+
 // The file is there with rights for its owner only before SQLite opens it; its
-// journal gets the same rights.
+// journal gets the same rights. One that is there is not opened: closing it would
+// drop the locks that SQLite holds on it elsewhere in this process.
 void make_private_file(const std::string& file) {
-  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  if (handle < 0) {
+  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  if (handle >= 0) {
+    ::close(handle);
+  } else if (errno != EEXIST || ::access(file.c_str(), R_OK | W_OK) != 0) {
     throw OutsideError("cannot write " + file + " (" + std::strerror(errno) +
                        "); name another place for the database");
   }
-  ::close(handle);
 }
 
 bool has_tables(Database& database) {
@@ -102,9 +132,11 @@ void make_tables(Database& database, const StudyBundle& bundle) {
 
 Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
   const std::string file = path.string();
+  std::optional<FolderLock> lock;
   if (file != ":memory:") {
-    check_existing(file, bundle);
     make_folder(path);
+    lock.emplace(path);
+    check_existing(file, bundle);
     make_private_file(file);
   }
   Database database(file, Database::Mode::read_write);
