@@ -95,8 +95,17 @@ bool is_within(const FrameRange& inner, const std::vector<FrameRange>& outer) {
   });
 }
 
-// A joint of few digits or at its limit repeats now and then; only one that does not is
-// believed.
+int moving_rows(const Clip& clip, const JointChannels& joint) {
+  int count = 0;
+  for (int c = 0; c < static_cast<int>(joint.channels.size()); ++c) {
+    const auto row = clip.values.row(joint.first_row + c);
+    count += (row.array() != row(0)).any() ? 1 : 0;
+  }
+  return count;
+}
+
+// A hinge that is held straight repeats, and so does what is written with few digits:
+// only a joint that turns in all ways and does not repeat elsewhere is believed.
 void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange>& of_figure,
                        std::vector<Gap>& gaps) {
   const JointChannels& own = clip.channels[static_cast<std::size_t>(joint)];
@@ -106,7 +115,8 @@ void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange
       clip, own.first_row, static_cast<int>(own.channels.size()), least_frozen_joint, others);
   int still = others;
   for (const FrameRange& run : runs) still += run.last - run.first;
-  if (20 * others > clip.frames() || 2 * still > clip.frames()) return;
+  if (runs.empty() || 20 * others > clip.frames() || 2 * still > clip.frames()) return;
+  if (moving_rows(clip, own) < 3) return;
   for (const FrameRange& run : runs) {
     if (!is_within(run, of_figure)) gaps.push_back({joint, run});
   }

@@ -17,10 +17,11 @@ void expect_label(Scanner& in, std::string_view label) {
 
 std::size_t read_frame_count(Scanner& in) {
   expect_label(in, "Frames");
-  const ScannedNumber number = to_number(in.next());
+  const std::string_view word = in.next();
+  const ScannedNumber number = to_number(word);
   const double count = number.value;
   if (number.trouble || count != std::floor(count) || count < 0 || count > 1e12) {
-    in.refuse("the number of frames is not a whole number");
+    in.refuse("Frames wants a whole number, found " + quoted(word));
   }
   if (count == 0) in.refuse("the file declares 0 frames: there is no motion in it");
   return static_cast<std::size_t>(count);

@@ -11,6 +11,8 @@
 namespace promenade::motion {
 namespace {
 
+constexpr std::size_t longest_name = 1000;
+
 // A block that is open: a joint, or the end site of one.
 struct Open {
   int joint = 0;
@@ -63,8 +65,9 @@ class HierarchyReader {
   void open_joint(int parent) {
     const std::size_t keyword = in_.word_position();
     const std::string_view name = in_.rest_of_line();
-    if (name.empty()) {
-      in_.error_at(keyword, "a joint without a name");
+    if (name.empty() || name.size() > longest_name) {
+      in_.error_at(keyword, name.empty() ? "a joint without a name"
+                                         : "a joint with a name of more than 1000 letters");
       in_.give_up();
     }
     result_.skeleton.joints.push_back({unique_name(name), parent, Eigen::Vector3d::Zero()});

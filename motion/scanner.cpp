@@ -45,6 +45,10 @@ std::string quoted(std::string_view word) {
 
 Scanner::Scanner(std::string_view text, std::string file, Punctuation punctuation)
     : text_(text), file_(std::move(file)), acclaim_(punctuation == Punctuation::acclaim) {
+  // A DOS end of file, or what a disk fills a block with.
+  while (!text_.empty() && (text_.back() == '\x1a' || text_.back() == '\0')) {
+    text_.remove_suffix(1);
+  }
   if (text_.substr(0, 3) == byte_order_mark) at_ = 3;
   word_at_ = at_;
 }

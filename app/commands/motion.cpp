@@ -9,6 +9,7 @@
 #include "motion/bvh.h"
 #include "motion/files.h"
 #include "motion/load_clip.h"
+#include "motion/scanner.h"
 
 namespace promenade::app {
 namespace {
@@ -170,19 +171,30 @@ Json frame_json(const motion::Clip& clip, int frame) {
   return {{"frame", frame}, {"positions", positions}};
 }
 
+std::string line_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Written frame by frame: a long take has more numbers than memory should hold as JSON.
 void show_positions(const std::string& file, const std::string& frames,
                     const motion::LoadOptions& options) {
   const motion::Clip clip = motion::load_clip(file, options);
-  Json result = {{"file", file}, {"unit", "file"}, {"joints", Json::array()}};
-  for (const motion::Joint& joint : clip.skeleton.joints) result["joints"].push_back(joint.name);
-  result["frames"] = Json::array();
-  for (const int frame : frame_list(clip, frames))
-    result["frames"].push_back(frame_json(clip, frame));
+  const std::vector<int> list = frame_list(clip, frames);
   print_problems(clip.warnings);
-  print_json(result);
+  Json joints = Json::array();
+  for (const motion::Joint& joint : clip.skeleton.joints) joints.push_back(joint.name);
+  print_text("{\"file\": " + line_of(file) +
+             ", \"unit\": \"file\",\n\"joints\": " + line_of(joints) + ",\n\"frames\": [");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    print_text((i == 0 ? "\n" : ",\n") + line_of(frame_json(clip, list[i])));
+  }
+  print_text("\n]}\n");
 }
 
 void convert(const std::string& in, const std::string& out, const motion::LoadOptions& options) {
+  if (!motion::same_word(std::filesystem::path(out).extension().string(), ".bvh")) {
+    throw InputError(out, "would be a BVH file; give it a name that ends in .bvh");
+  }
   const motion::Clip clip = motion::load_clip(in, options);
   print_problems(clip.warnings);
   write_file(out, motion::bvh_text(clip));

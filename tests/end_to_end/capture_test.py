@@ -8,7 +8,7 @@ import struct
 import subprocess
 import unittest
 
-from program import ProgramTest
+from program import PROMENADE, ProgramTest
 
 SOURCE = pathlib.Path(os.environ["PROMENADE_SOURCE_DIR"])
 CONVERT = str(SOURCE / "tools" / "convert-capture")
@@ -55,6 +55,105 @@ class Captures(ProgramTest):
         for a, b in zip(found, expected, strict=True):
             for p, q in zip(a, b, strict=True):
                 self.assertAlmostEqual(p, q, delta=most)
+
+
+def memory_of(arguments, folder):
+    """Exit code and the most memory (bytes) that the program had at one time."""
+    with open(os.devnull, "w") as nothing:
+        running = subprocess.Popen([PROMENADE, *arguments], cwd=folder, stdout=nothing,
+                                   stderr=nothing)
+        _, status, usage = os.wait4(running.pid, 0)
+        running.returncode = os.waitstatus_to_exitcode(status)
+    return running.returncode, usage.ru_maxrss * 1024
+
+
+class Memory(Captures):
+    """Ten minutes at 240 frames a second, 31 joints: the same second again and again."""
+    FRAMES, MOST = 144_000, 3
+
+    def one_second(self, values, layout):
+        rows = [[(37 * f * (c + 1)) % 3600 / 10 - 179.9875 for c in range(values)]
+                for f in range(240)]
+        return "".join(layout(row) for row in rows)
+
+    def check(self, name, *arguments):
+        size = (self.folder / name).stat().st_size
+        code, most = memory_of(["motion", *arguments], self.folder)
+        self.assertEqual(code, 0)
+        self.assertLess(most, self.MOST * size, f"{most / size:.2f} times the file")
+
+    def test_a_long_bvh_needs_at_most_three_times_its_size(self):
+        joint = "{\nOFFSET 0 1 0\nCHANNELS 3 Zrotation Xrotation Yrotation\n"
+        head = "HIERARCHY\nROOT j\n" + joint.replace("3 Z", "6 Xposition Yposition Zposition Z")
+        head += "".join(f"JOINT j{j}\n{joint}" for j in range(30)) + 31 * "}\n"
+        second = self.one_second(96, lambda row: " ".join(f"{v:.4f}" for v in row) + "\n")
+        with open(self.folder / "long.bvh", "w") as file:
+            file.write(f"{head}MOTION\nFrames: {self.FRAMES}\nFrame Time: 0.0041667\n")
+            for _ in range(self.FRAMES // 240):
+                file.write(second)
+        self.check("long.bvh", "info", "long.bvh", "--json")
+        self.check("long.bvh", "positions", "long.bvh", "--frames", "0,143999")
+
+    def test_a_long_amc_needs_at_most_three_times_its_size(self):
+        bones = "".join(f"begin name b{b} direction 0 1 0 length 1\ndof rx ry rz\nend\n"
+                        for b in range(30))
+        tree = "root b0\n" + "".join(f"b{b} b{b + 1}\n" for b in range(29))
+        self.write("1.asf", f":root\norder TX TY TZ RX RY RZ\n:bonedata\n{bones}:hierarchy\n"
+                   f"begin\n{tree}end\n")
+
+        def layout(row):
+            words = [f"{v:.4f}" for v in row]
+            lines = ["root " + " ".join(words[:6])]
+            lines += [f"b{b} " + " ".join(words[6 + 3 * b:9 + 3 * b]) for b in range(30)]
+            return "\n".join(lines) + "\n"
+
+        frames = self.one_second(96, lambda row: layout(row) + "\0").split("\0")[:-1]
+        with open(self.folder / "1_1.amc", "w") as file:
+            file.write(":DEGREES\n")
+            for f in range(self.FRAMES // 4):
+                file.write(f"{f + 1}\n{frames[f % 240]}")
+        self.check("1_1.amc", "positions", "1_1.amc", "--frames", "0,35999")
+
+    def test_a_deep_tree_is_answered(self):
+        joints = 100_000
+        text = ("HIERARCHY\nROOT r\n{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\n" +
+                "".join(f"JOINT j{j}\n{{\nOFFSET 0 1 0\n" for j in range(joints)) +
+                (joints + 1) * "}\n" + "MOTION\nFrames: 1\nFrame Time: 0.01\n90\n")
+        self.write("deep.bvh", text)
+        joint, places = self.positions("deep.bvh", "0")
+        self.assertEqual(len(joint), joints + 1)
+        self.assert_near(places[0][-1:], [[-joints, 0, 0]], 1e-6)
+        self.assertEqual(self.answer("info", "deep.bvh")[0]["hips"], None)
+
+
+class Broken(Captures):
+    """What nobody should give the program, and somebody will."""
+
+    def assert_refused(self, name, says):
+        for command in (["info", name], ["positions", name, "--frames", "0"],
+                        ["convert", name, "out.bvh"]):
+            result = self.call("motion", *command)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), command)
+            self.assertIn(f"{name}: error: ", result.stderr)
+            self.assertIn(says, result.stderr)
+        self.assertFalse((self.folder / "out.bvh").exists())
+
+    def test_files_that_are_no_text_are_refused_unread(self):
+        with open(self.folder / "zeros.bvh", "wb") as file:
+            file.truncate(1 << 32)
+        (self.folder / "wide.bvh").write_bytes("HIERARCHY".encode("utf-16"))
+        (self.folder / "folder.bvh").mkdir()
+        os.mkfifo(self.folder / "pipe.bvh")
+        for name, says in (("zeros", "not a text"), ("wide", "UTF-16"), ("folder", "folder"),
+                           ("pipe", "pipe"), ("none", "No such file")):
+            self.assert_refused(f"{name}.bvh", says)
+
+    def test_a_converted_file_is_named_as_what_it_is(self):
+        self.write("7.asf", ASF)
+        self.write("7_1.amc", AMC)
+        result = self.call("motion", "convert", "7_1.amc", "out.fbx")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("out.fbx", result.stderr)
 
 
 class AsfAmc(Captures):

@@ -102,7 +102,7 @@ TEST(Blemishes, OfAFrozenFigureAreNamedWithTheirFrames) {
 
 TEST(Blemishes, OfAFrozenJointAreNamedWithTheJoint) {
   Clip clip = walker();
-  const int knee = find_figure(clip).body.joint[left_knee];
+  const int knee = find_figure(clip).body.joint[left_hip];
   const JointChannels& own = clip.channels[static_cast<std::size_t>(knee)];
   const auto rows = static_cast<Eigen::Index>(own.channels.size());
   for (int f = 31; f <= 45; ++f) {
@@ -112,6 +112,16 @@ TEST(Blemishes, OfAFrozenJointAreNamedWithTheJoint) {
   ASSERT_EQ(gaps.size(), 1U);
   EXPECT_EQ(gaps[0].joint, knee);
   EXPECT_TRUE(warns(clip, "is frozen in place in frames 30 to 45"));
+}
+
+TEST(Blemishes, AreNotThatAHingeIsHeldStraight) {
+  Clip clip = walker();
+  const int knee = find_figure(clip).body.joint[left_knee];
+  const JointChannels& own = clip.channels[static_cast<std::size_t>(knee)];
+  const int row = own.first_row + static_cast<int>(own.channels.size()) - 3;
+  clip.values.middleRows(row + 1, 2).setZero();
+  clip.values.block(row, 30, 1, 15).setZero();
+  EXPECT_TRUE(find_gaps(clip).empty());
 }
 
 TEST(Blemishes, AreNotThatAFigureStandsStill) {

@@ -118,6 +118,7 @@ std::vector<Dialect> layout_dialects() {
           {"BlankLines", replaced(with_values("\n5 90 0 0 0 -40 \n \n\t\n6 0 0 90 90 -50\n\n"),
                                   "MOTION\n", "\nMOTION\n\n")},
           {"NoLineEndAtTheEnd", toy_bvh.substr(0, toy_bvh.size() - 1)},
+          {"EndOfFileOfDos", toy_bvh + "\x1a"},
           {"OneValueALine", with_values("5\n90\n0\n0\n0\n-40\n6\n0\n0\n90\n90\n-50\n")},
           {"SomeValuesALine", with_values("5 90 0 0\n0 -40\n6 0 0 90\n90 -50\n")},
           {"AllOnOneLine", with_values("5 90 0 0 0 -40 6 0 0 90 90 -50")},
