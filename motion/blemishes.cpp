@@ -37,7 +37,7 @@ bool stands_in_t(const WorldPose& pose, const BodyMap& body, bool z_up) {
   const Vector3d right = straight_arm(pose, body, 4);
   const Vector3d across =
       pose.positions.col(body.joint[left_hip]) - pose.positions.col(body.joint[right_hip]);
-  constexpr double sine = 0.42, cosine = 0.9;  // of 25 degrees
+  constexpr double sine = 0.42, cosine = 0.64;  // of 25 and 50 degrees
   const double lengths = left.norm() * right.norm();
   return lengths > 0 && std::abs(left.dot(up)) < sine * left.norm() &&
          std::abs(right.dot(up)) < sine * right.norm() && left.dot(right) < -cosine * lengths &&
@@ -104,8 +104,33 @@ int moving_rows(const Clip& clip, const JointChannels& joint) {
   return count;
 }
 
-// A hinge that is held straight repeats, and so does what is written with few digits:
-// only a joint that turns in all ways and does not repeat elsewhere is believed.
+// Are the values of a joint the same in two frames?
+bool same_values(const Clip& clip, const JointChannels& joint, int a, int b) {
+  const auto count = static_cast<Eigen::Index>(joint.channels.size());
+  return clip.values.block(joint.first_row, a, count, 1) ==
+         clip.values.block(joint.first_row, b, count, 1);
+}
+
+bool is_turned(const Clip& clip, const JointChannels& joint, int frame) {
+  int row = joint.first_row;
+  for (const Channel channel : joint.channels) {
+    if (is_rotation(channel) && clip.values(row, frame) != 0) return true;
+    ++row;
+  }
+  return false;
+}
+
+// Does the joint come to rest in the same way in another run too?
+bool returns(const Clip& clip, const JointChannels& joint, const std::vector<FrameRange>& runs,
+             const FrameRange& own) {
+  return std::any_of(runs.begin(), runs.end(), [&](const FrameRange& run) {
+    return run.first != own.first && same_values(clip, joint, run.first, own.first);
+  });
+}
+
+// A hinge that is held straight repeats, so does a toe on the ground, and so does what is
+// written with few digits: only a joint that turns in all ways, does not repeat elsewhere
+// and stays in a turned position of no other time is believed.
 void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange>& of_figure,
                        std::vector<Gap>& gaps) {
   const JointChannels& own = clip.channels[static_cast<std::size_t>(joint)];
@@ -118,7 +143,8 @@ void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange
   if (runs.empty() || 20 * others > clip.frames() || 2 * still > clip.frames()) return;
   if (moving_rows(clip, own) < 3) return;
   for (const FrameRange& run : runs) {
-    if (!is_within(run, of_figure)) gaps.push_back({joint, run});
+    const bool rests = !is_turned(clip, own, run.first) || returns(clip, own, runs, run);
+    if (!rests && !is_within(run, of_figure)) gaps.push_back({joint, run});
   }
 }
 

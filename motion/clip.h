@@ -63,5 +63,6 @@ void local_pose(const Clip& clip, int frame, LocalPose& pose);
 
 // World positions in file units and axes.
 WorldPose forward_kinematics(const Clip& clip, int frame);
+WorldPose forward_kinematics(const Clip& clip, const LocalPose& pose);
 
 }  // namespace promenade::motion

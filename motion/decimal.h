@@ -1,18 +1,10 @@
-// Decimal numbers out of text: nearest double, whatever the locale.
+// Decimal numbers out of text: the nearest double, whatever the locale.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
 namespace promenade::motion {
-
-// The number that [first, last) begins with, correctly rounded, and where it ends; or
-// first, when it needs a closer look (no number, very long, very large, very small).
-// Takes what captures hold: a sign, up to 19 digits with a point, an exponent.
-struct Decimal {
-  double value = 0;
-  const char* end = nullptr;
-};
-Decimal read_decimal(const char* first, const char* last);
 
 // What a whole word says as a number.
 struct ScannedNumber {
@@ -20,5 +12,16 @@ struct ScannedNumber {
   const char* trouble = nullptr;  // why it is none, as a part of a sentence
 };
 ScannedNumber to_number(std::string_view word);
+
+// A run of numbers with blanks between them, within a line.
+struct DecimalRun {
+  std::size_t count = 0;
+  const char* last_number = nullptr;  // where the last one begins; null without one
+  const char* end = nullptr;          // behind it, or at the word that stopped the run
+};
+
+// Takes numbers from [first, last), at most so many, into `out` (nowhere if null). Stops at
+// the end of the line and before a word that is no plain finite number.
+DecimalRun read_decimals(const char* first, const char* last, double* out, std::size_t most);
 
 }  // namespace promenade::motion

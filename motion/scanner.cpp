@@ -1,8 +1,6 @@
 #include "motion/scanner.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace promenade::motion {
 namespace {
@@ -15,19 +13,6 @@ bool is_brace(char c) { return c == '{' || c == '}'; }
 bool is_control(char c) { return (c >= 0 && c < ' ') || c == 0x7f; }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
-
-// The plain number that begins here and the place behind it; at itself if there is none.
-const char* plain_number(const char* at, const char* last, double& value) {
-  const Decimal decimal = read_decimal(at, last);
-  const char* end = decimal.end;
-  value = decimal.value;
-  if (end == at) {
-    const auto [stop, error] = std::from_chars(at, last, value);
-    if (error != std::errc() || !std::isfinite(value)) return at;
-    end = stop;
-  }
-  return end == last || is_space(*end) || is_line_end(*end) ? end : at;
-}
 
 }  // namespace
 
@@ -133,20 +118,11 @@ std::size_t Scanner::lines() const {
 }
 
 std::size_t Scanner::take_numbers(double* out, std::size_t most) {
-  const char* const last = text_.data() + text_.size();
-  const char* at = text_.data() + at_;
-  std::size_t count = 0;
-  for (; count < most; ++count) {
-    while (at != last && is_space(*at)) ++at;
-    double value = 0;
-    const char* const end = plain_number(at, last, value);
-    if (end == at) break;
-    if (out) out[count] = value;
-    word_at_ = static_cast<std::size_t>(at - text_.data());
-    at = end;
-  }
-  at_ = static_cast<std::size_t>(at - text_.data());
-  return count;
+  const char* const begin = text_.data();
+  const DecimalRun run = read_decimals(begin + at_, begin + text_.size(), out, most);
+  if (run.last_number) word_at_ = static_cast<std::size_t>(run.last_number - begin);
+  at_ = static_cast<std::size_t>(run.end - begin);
+  return run.count;
 }
 
 void Scanner::add(std::size_t position, std::string message, Severity severity) {

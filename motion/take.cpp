@@ -74,9 +74,10 @@ Take make_take(const Clip& clip, const Figure& figure) {
   take.skeleton = kept_skeleton(clip.skeleton, kept, figure.unit_m);
   take.body = moved_body(figure.body, kept);
   take.frame_time = clip.frame_time;
+  LocalPose local;
   for (int f = 0; f < clip.frames(); ++f) {
-    const LocalPose local = local_pose(clip, f);
-    const WorldPose world = forward_kinematics(clip, f);
+    local_pose(clip, f, local);
+    const WorldPose world = forward_kinematics(clip, local);
     Pose pose;
     pose.root = figure.unit_m * turn * world.positions.col(hips);
     for (std::size_t k = 0; k < kept.size(); ++k) {

@@ -163,15 +163,15 @@ std::vector<Broken> broken_files() {
       {"SameName", replaced(t, "name arm", "name UP"), 28, 10, "second bone"},
       {"NamedRoot", replaced(t, "name arm", "name root"), 28, 10, "second bone"},
       {"NoName", replaced(t, "    name arm\n", ""), 32, 3, "without a name"},
-      {"CutInBones", t.substr(0, t.find("    dof rx\n  end")), 31, 20, "end of the bone"},
-      {"CutInHierarchy", t.substr(0, t.rfind("  end")), 43, 12, "end of the hierarchy"},
+      {"CutInBones", t.substr(0, t.find("    dof rx\n  end")), 32, 1, "end of the bone"},
+      {"CutInHierarchy", t.substr(0, t.rfind("  end")), 44, 1, "end of the hierarchy"},
       {"NoHierarchy", t.substr(0, t.find(":hierarchy")), 18, 10, "hangs nowhere"},
       {"UnknownBone", replaced(t, "up arm", "up leg"), 42, 8, "no bone"},
       {"TwoParents", replaced(t, "root up", "root up arm"), 42, 8, "second parent"},
       {"RootBelow", replaced(t, "arm tip", "arm root"), 43, 9, "root cannot"},
       {"LooseBone", replaced(t, "    arm tip\n", ""), 35, 10, "hangs nowhere"},
       {"Ring", replaced(t, "root up\n    up arm\n    arm tip", "root up\n    arm tip\n    tip arm"),
-       43, 9, "in a ring"}};
+       44, 3, "in a ring"}};
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, BrokenAsf, testing::ValuesIn(broken_files()),
