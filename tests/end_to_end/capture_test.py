@@ -6,6 +6,7 @@ import pathlib
 import shutil
 import struct
 import subprocess
+import sys
 import unittest
 
 from program import PROMENADE, ProgramTest
@@ -57,14 +58,20 @@ class Captures(ProgramTest):
                 self.assertAlmostEqual(p, q, delta=most)
 
 
+# A process begins with the memory of the one that it was forked from: a small one measures.
+MEASURE = """
+import resource, subprocess, sys
+code = subprocess.run(sys.argv[1:], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
+print(code, 1024 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss)
+"""
+
+
 def memory_of(arguments, folder):
     """Exit code and the most memory (bytes) that the program had at one time."""
-    with open(os.devnull, "w") as nothing:
-        running = subprocess.Popen([PROMENADE, *arguments], cwd=folder, stdout=nothing,
-                                   stderr=nothing)
-        _, status, usage = os.wait4(running.pid, 0)
-        running.returncode = os.waitstatus_to_exitcode(status)
-    return running.returncode, usage.ru_maxrss * 1024
+    done = subprocess.run([sys.executable, "-c", MEASURE, PROMENADE, *arguments], cwd=folder,
+                          text=True, capture_output=True, check=True)
+    code, most = map(int, done.stdout.split())
+    return code, most
 
 
 class Memory(Captures):

@@ -29,6 +29,18 @@ std::string random_number(Random& random) {
   return text;
 }
 
+// What a run of numbers takes from the text, at its end and before other text.
+void expect_run(const std::string& text, double expected) {
+  for (const char* behind : {"", " ", "\n", " 12345678901"}) {
+    const std::string line = text + behind;
+    double value = -1;
+    const DecimalRun run = read_decimals(line.data(), line.data() + line.size(), &value, 1);
+    ASSERT_EQ(run.count, 1U) << text;
+    ASSERT_EQ(run.end - line.data(), static_cast<std::ptrdiff_t>(text.size())) << text;
+    ASSERT_TRUE(same_bits(value, expected)) << text;
+  }
+}
+
 // strtod of the C locale is correctly rounded in the C library.
 TEST(Decimal, IsTheDoubleOfTheCLibraryForAMillionNumbers) {
   Random random(1);
@@ -38,10 +50,26 @@ TEST(Decimal, IsTheDoubleOfTheCLibraryForAMillionNumbers) {
     const ScannedNumber number = to_number(text);
     if (std::isinf(expected)) {
       ASSERT_NE(number.trouble, nullptr) << text;
-    } else {
-      ASSERT_EQ(number.trouble, nullptr) << text << " " << number.trouble;
-      ASSERT_TRUE(same_bits(number.value, expected)) << text;
+      continue;
     }
+    ASSERT_EQ(number.trouble, nullptr) << text << " " << number.trouble;
+    ASSERT_TRUE(same_bits(number.value, expected)) << text;
+    if (std::fpclassify(expected) == FP_NORMAL) expect_run(text, expected);
+  }
+}
+
+TEST(Decimal, RunsStopAtTheEndOfTheLineAndBeforeOtherWords) {
+  const std::pair<const char*, std::size_t> table[] = {
+      {"1 2.5\t-3e2 \n4", 3}, {"1 2x 3", 1}, {"1 nan 3", 1},
+      {"1 1e999", 1},         {"1 +2", 1},   {"1 .", 1},
+      {"1 - 2", 1},           {"", 0},       {"\n1", 0},
+      {"1 2\r\n3", 2},        {"1 2,5", 1},  {"1 0x10", 1},
+      {"1 1.2.3", 1},         {"1 2e", 1},   {"1 --2", 1}};
+  for (const auto& [text, count] : table) {
+    double values[8];
+    const std::string_view line = text;
+    EXPECT_EQ(read_decimals(line.data(), line.data() + line.size(), values, 8).count, count)
+        << text;
   }
 }
 
