@@ -11,6 +11,7 @@ using Eigen::Vector3d;
 
 constexpr int least_frozen_figure = 4;
 constexpr int least_frozen_joint = 10;
+constexpr int most_gaps_of_joint = 50;  // more are the way in which it was written
 
 // From shoulder to wrist, if the arm is straight; else zero.
 Vector3d straight_arm(const WorldPose& pose, const BodyMap& body, unsigned side) {
@@ -140,7 +141,8 @@ void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange
       clip, own.first_row, static_cast<int>(own.channels.size()), least_frozen_joint, others);
   int still = others;
   for (const FrameRange& run : runs) still += run.last - run.first;
-  if (runs.empty() || 20 * others > clip.frames() || 2 * still > clip.frames()) return;
+  if (runs.empty() || static_cast<int>(runs.size()) > most_gaps_of_joint) return;
+  if (20 * others > clip.frames() || 2 * still > clip.frames()) return;
   if (moving_rows(clip, own) < 3) return;
   for (const FrameRange& run : runs) {
     const bool rests = !is_turned(clip, own, run.first) || returns(clip, own, runs, run);

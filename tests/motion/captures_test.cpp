@@ -102,6 +102,27 @@ TEST_F(Captures, StayWhereTheyWereRecorded) {
   }
 }
 
+// The BVH was made from the AMC by others; a T-pose stands before it. Values have six
+// digits there and four decimals here.
+TEST_F(Captures, OfOneTakeAgreeAsAmcAndAsBvh) {
+  const fs::path folder = data_folder() / "cmu";
+  if (!fs::exists(folder / "01_01.amc")) GTEST_SKIP() << "There is no 01_01.amc in " << folder;
+  const Clip amc = load_clip(folder / "01_01.amc"), bvh = load_clip(folder / "01_01.bvh");
+  ASSERT_EQ(amc.frames() + 1, bvh.frames());
+  const std::pair<const char*, const char*> same[] = {
+      {"root", "Hips"},      {"lfemur", "LeftUpLeg"},   {"ltibia", "LeftLeg"},
+      {"lfoot", "LeftFoot"}, {"rtibia", "RightLeg"},    {"rtoes", "RightToeBase"},
+      {"thorax", "Spine1"},  {"lowerback", "LowerBack"}};
+  for (int f = 0; f < amc.frames(); f += 250) {
+    const WorldPose a = forward_kinematics(amc, f), b = forward_kinematics(bvh, f + 1);
+    for (const auto& [bone, joint] : same) {
+      const Eigen::Vector3d apart = a.positions.col(find_joint(amc.skeleton, bone)) -
+                                    b.positions.col(find_joint(bvh.skeleton, joint));
+      EXPECT_LT(apart.norm(), 1e-3) << bone << " in frame " << f;
+    }
+  }
+}
+
 TEST_F(Captures, OfOtherThingsThanWalkingAreRefused) {
   const fs::path jumps = data_folder() / "cmu" / "01_01.bvh";
   if (!fs::exists(jumps)) GTEST_SKIP() << "There is no capture " << jumps << ".";
