@@ -64,8 +64,46 @@ TEST(Vectors, DropPairsWithANull) {
   EXPECT_TRUE(results["m"]["hl_all"]["ci95"].is_null());
 }
 
+TEST(Vectors, CutATreeOnlyWhereThereAreLeavesEnough) {
+  const Json result = run(R"({"families": {"ward": [
+      {"id": "w", "input": {"points": [[0, 0], [3, 4], [3, 5]]}}]}})")["w"];
+  EXPECT_EQ(result["R_merge"], Json::parse("[[-2, -3], [-1, 1]]"));
+  EXPECT_EQ(result["labels_k2"], Json::parse("[0, 1, 1]"));
+  EXPECT_TRUE(result["labels_k4"].is_null());
+  // n1 n2/(n1 + n2) times the squared distance to (3, 4.5), doubled.
+  EXPECT_NEAR(result["height_squared"][1].get<double>(), 4.0 / 3 * 29.25, 1e-12);
+}
+
+TEST(Vectors, RefuseTablesThatAreNoDistances) {
+  const Json results = run(R"({"families": {"classical_mds": [
+      {"id": "square", "input": {"dist": [[0, 1]], "k": 2}},
+      {"id": "even", "input": {"dist": [[0, 1], [2, 0]], "k": 2}},
+      {"id": "sign", "input": {"dist": [[0, -1], [-1, 0]], "k": 2}}]}})");
+  EXPECT_EQ(results["square"]["error"], "input.dist is not square");
+  EXPECT_EQ(results["even"]["error"], "input.dist is not symmetric");
+  EXPECT_EQ(results["sign"]["error"], "input.dist is negative");
+}
+
+// Tables of a principal component analysis are within 1e-7 (1e-9) of their largest value.
+bool near_as_a_whole(const Json& actual, const Json& expected, double tolerance) {
+  const Json flat_actual = actual.flatten();
+  double largest = 0;
+  for (const Json& value : expected.flatten()) {
+    largest = std::max(largest, std::abs(value.get<double>()));
+  }
+  for (const auto& item : expected.flatten().items()) {
+    if (!flat_actual.contains(item.key())) return false;
+    const double off = flat_actual[item.key()].get<double>() - item.value().get<double>();
+    if (!(std::abs(off) <= tolerance * largest)) return false;
+  }
+  return flat_actual.size() == expected.flatten().size();
+}
+
 // The tolerances that the header of the shared file states.
 bool agree(const Json& actual, const Json& expected, const std::string& key) {
+  if (key == "points" || key == "rotation" || key == "scores")
+    return near_as_a_whole(actual, expected, 1e-7);
+  if (key == "eig" || key == "sdev") return near_as_a_whole(actual, expected, 1e-9);
   if (expected.is_number() && actual.is_number()) {
     const double a = actual;
     const double e = expected;
