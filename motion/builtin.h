@@ -4,13 +4,20 @@
 
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "motion/motion_set.h"
+#include "motion/style_character.h"
 
 namespace promenade::motion {
 
 // "A": ten styles of a walking human at one speed and direction ([O] 4, set A).
+// "B": nine emotions of Russell's circle, each fast, normal and slow ([O] 4, set B).
 // Nothing for a name that is not there.
 std::optional<MotionSet> builtin_set(std::string_view name);
+
+// How each walk of that set was meant, in the order of its cycles; empty for a name
+// that is not there.
+std::vector<StyleCharacter> builtin_characters(std::string_view name);
 
 }  // namespace promenade::motion
