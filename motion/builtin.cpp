@@ -2,6 +2,7 @@
 
 #include "motion/canonical.h"
 #include "motion/gait/emotions.h"
+#include "motion/gait/families.h"
 #include "motion/gait/styles.h"
 #include "motion/gait/walk.h"
 
@@ -25,6 +26,7 @@ Cycle walked(const MotionSet& set, const gait::GaitStyle& style) {
 std::vector<gait::GaitStyle> styles_of(std::string_view name) {
   if (name == "A") return gait::styles_of_set_a();
   if (name == "B") return gait::styles_of_set_b();
+  if (name == "N") return gait::styles_of_set_n();
   return {};
 }
 

@@ -14,6 +14,8 @@ namespace promenade::motion {
 
 // "A": ten styles of a walking human at one speed and direction ([O] 4, set A).
 // "B": nine emotions of Russell's circle, each fast, normal and slow ([O] 4, set B).
+// "N": 55 styles in three families, crouching, upright and wide (after [N] 5, whose map
+// of 55 walks shows three clusters).
 // Nothing for a name that is not there.
 std::optional<MotionSet> builtin_set(std::string_view name);
 
