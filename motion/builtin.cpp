@@ -1,6 +1,8 @@
 #include "motion/builtin.h"
 
 #include "motion/canonical.h"
+#include "motion/gait/emotions.h"
+#include "motion/gait/families.h"
 #include "motion/gait/styles.h"
 #include "motion/gait/walk.h"
 
@@ -15,28 +17,43 @@ Cycle walked(const MotionSet& set, const gait::GaitStyle& style) {
     return gait::walking_pose(walk, start + seconds / length);
   });
   cycle.name = style.name;
-  cycle.style = style.name;
+  cycle.style = style.style;
   cycle.source = "generated";
   return cycle;
 }
 
-MotionSet set_a() {
-  MotionSet set;
-  set.name = "A";
-  set.credit = "made by Promenade";
-  set.skeleton = gait::make_skeleton();
-  set.body = gait::make_body_map(set.skeleton);
-  for (const gait::GaitStyle& style : gait::styles_of_set_a()) {
-    set.cycles.push_back(walked(set, style));
-  }
-  return set;
+// No styles: there is no such set.
+std::vector<gait::GaitStyle> styles_of(std::string_view name) {
+  if (name == "A") return gait::styles_of_set_a();
+  if (name == "B") return gait::styles_of_set_b();
+  if (name == "N") return gait::styles_of_set_n();
+  return {};
 }
 
 }  // namespace
 
 std::optional<MotionSet> builtin_set(std::string_view name) {
-  if (name == "A") return set_a();
-  return std::nullopt;
+  const std::vector<gait::GaitStyle> styles = styles_of(name);
+  if (styles.empty()) return std::nullopt;
+  MotionSet set;
+  set.name = name;
+  set.credit = "made by Promenade";
+  set.skeleton = gait::make_skeleton();
+  set.body = gait::make_body_map(set.skeleton);
+  for (const gait::GaitStyle& style : styles) set.cycles.push_back(walked(set, style));
+  return set;
+}
+
+std::vector<StyleCharacter> builtin_characters(std::string_view name) {
+  std::vector<StyleCharacter> characters;
+  for (const gait::GaitStyle& style : styles_of(name)) characters.push_back(style.character);
+  return characters;
+}
+
+std::vector<std::string> builtin_names(std::string_view name) {
+  std::vector<std::string> names;
+  for (const gait::GaitStyle& style : styles_of(name)) names.push_back(style.name);
+  return names;
 }
 
 }  // namespace promenade::motion

@@ -9,16 +9,19 @@
 #include <optional>
 #include <string>
 
+#include "motion/style_character.h"
+
 namespace promenade::motion::gait {
 
-inline constexpr double walking_speed = 1.3;  // m/s, the same for every style
+inline constexpr double walking_speed = 1.3;  // m/s, the same for every style of set A
 
 struct Timing {
-  double cadence = 106;      // steps per minute; the step length follows from the speed
-  double stance = 0.60;      // share of the stride that a foot is on the ground
-  double foot_flat = 0.085;  // share of the stride at which the sole lies flat
-  double heel_off = 0.32;    // share of the stride at which the heel begins to rise
-  double left_strike = 0.5;  // stride at which the left heel strikes; 0.5 is even
+  double speed = walking_speed;  // m/s
+  double cadence = 106;          // steps per minute; the step length follows from the speed
+  double stance = 0.60;          // share of the stride that a foot is on the ground
+  double foot_flat = 0.085;      // share of the stride at which the sole lies flat
+  double heel_off = 0.32;        // share of the stride at which the heel begins to rise
+  double left_strike = 0.5;      // stride at which the left heel strikes; 0.5 is even
 };
 
 struct Feet {
@@ -96,7 +99,10 @@ struct Arms {
 };
 
 struct GaitStyle {
-  std::string name;
+  std::string name;    // unique in its set: "misery-slow"
+  std::string style;   // "misery"
+  std::string family;  // in set N: "crouching"
+  StyleCharacter character;
   Timing timing;
   Feet feet;
   Knees knees;

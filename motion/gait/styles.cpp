@@ -6,11 +6,13 @@ namespace {
 GaitStyle named(const char* name) {
   GaitStyle style;
   style.name = name;
+  style.style = name;
   return style;
 }
 
 GaitStyle happy() {
   GaitStyle style = named("happy");
+  style.character = {0.9, 0.7, 0.2, 0.7, -0.6, 0.2, -0.2, 0.5, 0.1};
   style.timing.cadence = 112;
   style.timing.stance = 0.585;
   style.timing.heel_off = 0.19;
@@ -38,6 +40,7 @@ GaitStyle happy() {
 
 GaitStyle sad() {
   GaitStyle style = named("sad");
+  style.character = {-0.8, -0.7, -0.5, -0.7, 0.5, -0.2, -0.1, -0.4, 0.1};
   style.timing.cadence = 110;
   style.timing.stance = 0.62;
   style.timing.foot_flat = 0.07;
@@ -66,6 +69,7 @@ GaitStyle sad() {
 
 GaitStyle proud() {
   GaitStyle style = named("proud");
+  style.character = {0.5, 0.3, 0, 0.8, 0.2, 0.7, 0.4, -0.1, -0.3};
   style.timing.cadence = 100;
   style.feet.toe_out = 13;
   style.feet.strike_pitch = 24;
@@ -91,6 +95,7 @@ GaitStyle proud() {
 
 GaitStyle sneaky() {
   GaitStyle style = named("sneaky");
+  style.character = {-0.2, 0.2, -0.3, -0.6, -0.7, 0.3, 0.6, 0.1, -0.5};
   style.timing.cadence = 100;
   style.timing.stance = 0.61;
   style.timing.foot_flat = 0.12;
@@ -118,6 +123,7 @@ GaitStyle sneaky() {
 
 GaitStyle angry() {
   GaitStyle style = named("angry");
+  style.character = {-0.7, 0.9, 0.5, 0.6, 0.9, 0.5, 0.9, -0.1, -0.1};
   style.timing.cadence = 120;
   style.feet.half_width = 0.085;
   style.feet.strike_pitch = 15;
@@ -142,6 +148,7 @@ GaitStyle angry() {
 
 GaitStyle catwalk() {
   GaitStyle style = named("catwalk");
+  style.character = {0.5, 0.3, 0, 0.5, -0.4, 0.4, 0.1, 0.2, -0.8};
   style.timing.cadence = 106;
   style.feet.half_width = -0.015;
   style.feet.toe_out = 3;
@@ -174,6 +181,7 @@ GaitStyle catwalk() {
 
 GaitStyle old() {
   GaitStyle style = named("old");
+  style.character = {-0.3, -0.5, -0.3, -0.6, 0.3, -0.6, 0.3, -1, 0.2};
   style.timing.cadence = 132;
   style.timing.stance = 0.64;
   style.timing.foot_flat = 0.07;
@@ -207,6 +215,7 @@ GaitStyle old() {
 
 GaitStyle robot() {
   GaitStyle style = named("robot");
+  style.character = {-0.2, 0, 0, 0.1, 0.5, 0.6, 0.9, -0.1, -1};
   style.timing.cadence = 116;
   style.timing.stance = 0.575;
   style.timing.foot_flat = 0.05;
@@ -245,6 +254,7 @@ GaitStyle robot() {
 
 GaitStyle drunk() {
   GaitStyle style = named("drunk");
+  style.character = {0.1, -0.3, -0.4, 0.4, 0.4, -1, -0.6, 0, -0.1};
   style.timing.cadence = 104;
   style.timing.stance = 0.61;
   style.feet.half_width = 0.11;

@@ -64,7 +64,7 @@ void set_arm(const Walk& walk, Side side, double stride, WorldTurns& turns) {
 
 double stride_seconds(const GaitStyle& style) { return 120 / style.timing.cadence; }
 
-double stride_length(const GaitStyle& style) { return walking_speed * stride_seconds(style); }
+double stride_length(const GaitStyle& style) { return style.timing.speed * stride_seconds(style); }
 
 Walk make_walk(GaitStyle style) {
   Walk walk{std::move(style), make_skeleton(), {}};
