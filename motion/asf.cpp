@@ -1,5 +1,6 @@
 #include "motion/asf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
@@ -103,10 +104,10 @@ class Assembler {
   // The children of a bone, the first at the end.
   std::vector<std::pair<int, int>> next_of(int bone, int joint) const {
     std::vector<std::pair<int, int>> next;
-    const std::vector<int>& children = children_[static_cast<std::size_t>(bone)];
-    for (auto child = children.rbegin(); child != children.rend(); ++child) {
-      next.emplace_back(*child, joint);
+    for (const int child : children_[static_cast<std::size_t>(bone)]) {
+      next.emplace_back(child, joint);
     }
+    std::reverse(next.begin(), next.end());
     return next;
   }
 
