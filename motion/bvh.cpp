@@ -1,6 +1,7 @@
 #include "motion/bvh.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "motion/bvh_hierarchy.h"
@@ -49,6 +50,7 @@ class ValueReader {
         rows_(rows),
         wanted_(frames <= in.left() ? rows * frames : std::string_view::npos),
         declared_(frames) {
+    assert(rows > 0 && "a hierarchy has channels");
     // A value takes at least a digit and a blank. A file that is too short for its
     // declaration is read for its errors alone.
     if (wanted_ <= in.left() / 2 + 1) {

@@ -51,7 +51,7 @@ class Poser {
   }
 
  private:
-  static constexpr int most = 96;
+  static constexpr int most = 24;
 
   // Half the angles of as many joints as there is room for; gives the joint behind them.
   // Half an angle follows the angle through 720 degrees, so that neighbouring frames are
@@ -94,7 +94,7 @@ class Poser {
   const double* values_;
   LocalPose& pose_;
   int count_ = 0;
-  double halves_[most], sines_[most], cosines_[most];
+  double halves_[most] = {}, sines_[most] = {}, cosines_[most] = {};
 };
 
 }  // namespace
