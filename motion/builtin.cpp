@@ -50,4 +50,10 @@ std::vector<StyleCharacter> builtin_characters(std::string_view name) {
   return characters;
 }
 
+std::vector<std::string> builtin_names(std::string_view name) {
+  std::vector<std::string> names;
+  for (const gait::GaitStyle& style : styles_of(name)) names.push_back(style.name);
+  return names;
+}
+
 }  // namespace promenade::motion

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,5 +22,8 @@ std::optional<MotionSet> builtin_set(std::string_view name);
 // How each walk of that set was meant, in the order of its cycles; empty for a name
 // that is not there.
 std::vector<StyleCharacter> builtin_characters(std::string_view name);
+
+// Names of its cycles, in their order, without making them; empty likewise.
+std::vector<std::string> builtin_names(std::string_view name);
 
 }  // namespace promenade::motion

@@ -1,20 +1,21 @@
 #include "motion/clip.h"
 
 #include <cassert>
-#include <cmath>
+
+#include "motion/degrees.h"
 
 namespace promenade::motion {
 namespace {
 
 int axis_of(Channel channel) { return static_cast<int>(channel) % 3; }
 
-// Turns about the axis' own frame: channels of a joint multiply from left to right.
-void turn(Eigen::Quaterniond& rotation, Channel channel, double degrees) {
-  // Captures may count turns: the angle is brought near 0 before it loses digits.
-  const double half = 0.5 * std::remainder(degrees, 720.0) * M_PI / 180;
-  Eigen::Quaterniond step(std::cos(half), 0, 0, 0);
-  step.vec()(axis_of(channel)) = std::sin(half);
-  rotation = rotation * step;
+// The turn of a channel. Its sign follows the angle through 720 degrees, so that
+// neighbouring frames are neighbours as quaternions too.
+Eigen::Quaterniond turn(Channel channel, double degrees) {
+  const SineCosine half = sine_cosine_of_degrees(0.5 * degrees);
+  Eigen::Quaterniond step(half.cosine, 0, 0, 0);
+  step.vec()(axis_of(channel)) = half.sine;
+  return step;
 }
 
 }  // namespace
@@ -25,25 +26,34 @@ std::string_view channel_name(Channel channel) {
   return names[static_cast<std::size_t>(channel)];
 }
 
-LocalPose local_pose(const Clip& clip, int frame) {
+void local_pose(const Clip& clip, int frame, LocalPose& pose) {
   assert(frame >= 0 && frame < clip.frames() && "the frame is in the clip");
   const std::size_t joints = clip.skeleton.joints.size();
-  LocalPose pose;
-  pose.rotations.assign(joints, Eigen::Quaterniond::Identity());
+  pose.rotations.resize(joints);
   pose.translations.resize(3, static_cast<Eigen::Index>(joints));
+  const bool fixed_axes = !clip.axes.empty();
   for (std::size_t j = 0; j < joints; ++j) {
     auto translation = pose.translations.col(static_cast<Eigen::Index>(j));
     translation = clip.skeleton.joints[j].offset;
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
     int row = clip.channels[j].first_row;
     for (const Channel channel : clip.channels[j].channels) {
       const double value = clip.values(row++, frame);
-      if (is_rotation(channel)) {
-        turn(pose.rotations[j], channel, value);
-      } else {
+      if (!is_rotation(channel)) {
         translation(axis_of(channel)) = value;
+      } else {
+        const Eigen::Quaterniond step = turn(channel, value);
+        rotation = fixed_axes ? step * rotation : rotation * step;
       }
     }
+    if (fixed_axes) rotation = clip.axes[j].before * rotation * clip.axes[j].after;
+    pose.rotations[j] = rotation;
   }
+}
+
+LocalPose local_pose(const Clip& clip, int frame) {
+  LocalPose pose;
+  local_pose(clip, frame, pose);
   return pose;
 }
 

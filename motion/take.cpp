@@ -1,6 +1,7 @@
 #include "motion/take.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "motion/body_topology.h"
@@ -90,6 +91,13 @@ Take make_take(const Clip& clip, const Figure& figure) {
   }
   for (Joint& joint : take.skeleton.joints) joint.offset *= figure.unit_m / clip.frames();
   return take;
+}
+
+Take part(const Take& take, int from, int to) {
+  assert(0 <= from && from <= to && to < take.frames() && "frames of the take");
+  Take rest{take.source, take.skeleton, take.body, take.frame_time, {}, take.first_frame + from, 0};
+  rest.poses.assign(take.poses.begin() + from, take.poses.begin() + to + 1);
+  return rest;
 }
 
 Pose pose_at(const Take& take, double frame) {

@@ -90,12 +90,13 @@ Json info_json(const motion::Clip& clip) {
 }
 
 // All files are read before anything is said, so that all problems come at once.
-std::vector<motion::Clip> load_all(const std::vector<std::string>& files) {
+std::vector<motion::Clip> load_all(const std::vector<std::string>& files,
+                                   const motion::LoadOptions& options) {
   std::vector<motion::Clip> clips;
   std::vector<Problem> problems;
   for (const std::string& file : files) {
     try {
-      clips.push_back(motion::load_clip(file));
+      clips.push_back(motion::load_clip(file, options));
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
@@ -112,9 +113,10 @@ void print_plainly(const Json& info) {
               info["frames"].get<int>(), info["seconds"].dump().c_str(), up.c_str(), hips.c_str());
 }
 
-void show_info(const std::vector<std::string>& files, bool json) {
+void show_info(const std::vector<std::string>& files, const motion::LoadOptions& options,
+               bool json) {
   Json list = Json::array();
-  for (const motion::Clip& clip : load_all(files)) list.push_back(info_json(clip));
+  for (const motion::Clip& clip : load_all(files, options)) list.push_back(info_json(clip));
   if (json) return print_json(list);
   for (const Json& info : list) {
     print_plainly(info);
@@ -168,8 +170,9 @@ Json frame_json(const motion::Clip& clip, int frame) {
   return {{"frame", frame}, {"positions", positions}};
 }
 
-void show_positions(const std::string& file, const std::string& frames) {
-  const motion::Clip clip = motion::load_clip(file);
+void show_positions(const std::string& file, const std::string& frames,
+                    const motion::LoadOptions& options) {
+  const motion::Clip clip = motion::load_clip(file, options);
   Json result = {{"file", file}, {"unit", "file"}, {"joints", Json::array()}};
   for (const motion::Joint& joint : clip.skeleton.joints) result["joints"].push_back(joint.name);
   result["frames"] = Json::array();
@@ -179,48 +182,63 @@ void show_positions(const std::string& file, const std::string& frames) {
   print_json(result);
 }
 
-void convert(const std::string& in, const std::string& out) {
-  const motion::Clip clip = motion::load_clip(in);
+void convert(const std::string& in, const std::string& out, const motion::LoadOptions& options) {
+  const motion::Clip clip = motion::load_clip(in, options);
   print_problems(clip.warnings);
   write_file(out, motion::bvh_text(clip));
+}
+
+void add_load_options(CLI::App& command, motion::LoadOptions& options) {
+  command.add_option("--skeleton", options.skeleton,
+                     "The .asf file of an .amc; looked for beside it if not given");
+  command
+      .add_option("--rate", options.rate,
+                  "Frames a second of an .amc, which does not say it; 120 if not given")
+      ->check(CLI::Range(1.0, 10000.0));
 }
 
 void add_info(CLI::App& motion_command) {
   struct Arguments {
     std::vector<std::string> files;
+    motion::LoadOptions load;
     bool json = false;
   };
   auto* command = motion_command.add_subcommand("info", "What capture files hold");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("files", given->files, "Captures (.bvh)")->required();
+  command->add_option("files", given->files, "Captures (.bvh, .amc)")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { show_info(given->files, given->json); });
+  add_load_options(*command, given->load);
+  command->callback([given] { show_info(given->files, given->load, given->json); });
 }
 
 void add_positions(CLI::App& motion_command) {
   struct Arguments {
     std::string file;
     std::string frames;
+    motion::LoadOptions load;
     bool json = false;
   };
   auto* command = motion_command.add_subcommand(
       "positions", "Joint positions by forward kinematics, as JSON, in units and axes of the file");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("file", given->file, "A capture (.bvh)")->required();
+  command->add_option("file", given->file, "A capture (.bvh, .amc)")->required();
   command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
-  command->callback([given] { show_positions(given->file, given->frames); });
+  add_load_options(*command, given->load);
+  command->callback([given] { show_positions(given->file, given->frames, given->load); });
 }
 
 void add_convert(CLI::App& motion_command) {
   struct Arguments {
     std::string in, out;
+    motion::LoadOptions load;
   };
   auto* command = motion_command.add_subcommand("convert", "Any readable capture to plain BVH");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("in", given->in, "A capture (.bvh)")->required();
+  command->add_option("in", given->in, "A capture (.bvh, .amc)")->required();
   command->add_option("out", given->out, "The file to write (.bvh)")->required();
-  command->callback([given] { convert(given->in, given->out); });
+  add_load_options(*command, given->load);
+  command->callback([given] { convert(given->in, given->out, given->load); });
 }
 
 }  // namespace

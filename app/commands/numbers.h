@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "study/csv.h"
+
 namespace promenade::app {
 
 // A whole number in the C notation, finite, whatever the locale; else nothing.
@@ -15,14 +17,11 @@ std::optional<double> parse_number(std::string_view text);
 // "0.5,0.25,0.25" as numbers; `option` names it in the InputError with all that is wrong.
 Eigen::VectorXd parse_numbers(const std::string& option, const std::string& text);
 
-struct CsvRow {
-  int line = 0;  // from 1
-  std::vector<std::string> cells;
-};
+// For JSON.
+std::vector<double> to_list(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-// Rows of comma-separated text (RFC 4180: quotes, CRLF); empty lines are left out. A
-// byte order mark is skipped.
-std::vector<CsvRow> parse_csv(std::string_view text);
+using study::CsvRow;
+using study::parse_csv;
 
 // Quoted when it must be.
 std::string csv_cell(std::string_view text);

@@ -72,7 +72,13 @@ TEST_F(Captures, GiveCyclesNamedByTheirStyles) {
 
 TEST_F(Captures, GiveFeetThatStand) {
   for (const CycleReport& report : cut()) {
-    EXPECT_LT(std::max(report.slide_left_m, report.slide_right_m), 0.01) << report.cycle;
+    EXPECT_LT(std::max(report.slide_left_m, report.slide_right_m), 0.008) << report.cycle;
+  }
+}
+
+TEST_F(Captures, GiveFeetThatStayAboveTheFloor) {
+  for (const Cycle& cycle : built().set.cycles) {
+    EXPECT_LT(penetration_m(built().set, cycle), 0.003) << cycle.name;
   }
 }
 
