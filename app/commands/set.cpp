@@ -104,7 +104,7 @@ void add_info(CLI::App& set_command) {
   };
   auto* command = set_command.add_subcommand("info", "What a motion set holds");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout");
   command->callback([given] { show_info(given->set, given->json); });
 }
@@ -115,7 +115,7 @@ void add_export(CLI::App& set_command) {
   };
   auto* command = set_command.add_subcommand("export", "One BVH file for every cycle");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_option("--out", given->out, "The folder to write to")->required();
   command->callback([given] { export_set(given->set, given->out); });
 }
