@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "motion/cycle_cut.h"
-#include "motion/load_clip.h"
 #include "motion/quantile.h"
 #include "motion/shared_skeleton.h"
 
@@ -109,7 +108,7 @@ class Loader {
     FigureOptions figure_options = source.figure;
     if (!figure_options.unit_m) figure_options.unit_m = options_.figure.unit_m;
     if (!figure_options.z_up) figure_options.z_up = options_.figure.z_up;
-    const Clip clip = load_clip(source.file);
+    const Clip clip = load_clip(source.file, source.load);
     const Figure figure = find_figure(clip, figure_options);
     for (const auto& list : {clip.warnings, figure.notes}) {
       built_.warnings.insert(built_.warnings.end(), list.begin(), list.end());
