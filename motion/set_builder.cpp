@@ -67,7 +67,7 @@ Problem asked_at(const Place& place, const TakeSource& source, const std::string
 }
 
 // The frames of a take that the recipe wants.
-Take wanted_part(const Take& take, const TakeSource& source) {
+Take wanted_part(Take take, const TakeSource& source) {
   const int last = take.frames() - 1;
   const int from = source.from.value_or(0), to = std::min(source.to.value_or(last), last);
   if (from > to) {
@@ -113,8 +113,8 @@ class Loader {
     for (const auto& list : {clip.warnings, figure.notes}) {
       built_.warnings.insert(built_.warnings.end(), list.begin(), list.end());
     }
-    const Take take = wanted_part(make_take(clip, figure), source);
-    return source.cycles.empty() ? unrolled(take) : take;
+    Take take = wanted_part(make_take(clip, figure), source);
+    return source.cycles.empty() ? unrolled(std::move(take)) : take;
   }
 
   void find(const Take& take, LoadedTake& loaded) {

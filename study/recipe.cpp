@@ -255,9 +255,10 @@ Recipe load_recipe(const std::string& file, const std::string& folder) {
   return recipe;
 }
 
-void hash_takes(Recipe& recipe) {
+void hash_takes(Recipe& recipe, const std::function<void()>& progress) {
   std::vector<Problem> problems;
   for (TakeSource& take : recipe.takes) {
+    if (progress) progress();
     try {
       take.sha256 = sha256_hex(read_file(take.file));
     } catch (const InputError& error) {
