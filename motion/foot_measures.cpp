@@ -28,7 +28,11 @@ class Foot {
   Foot(const MotionSet& set, const Cycle& cycle, Side side)
       : set_(set), cycle_(cycle), leg_(leg_joints(side)) {
     const StanceTime stance = stance_time(cycle, side);
-    const Body flat = body_over_ground(set, cycle, 0.5 * (stance.on + stance.off));
+    Body flat = body_over_ground(set, cycle, stance.on);
+    for (int k = 1; k <= 40; ++k) {
+      const Body body = body_over_ground(set, cycle, stance.on + (stance.off - stance.on) * k / 40);
+      if (body(1, leg_.ankle) < flat(1, leg_.ankle)) flat = body;
+    }
     heel_ = find_heel(flat.col(leg_.ankle), flat.col(leg_.toe));
   }
 
@@ -94,10 +98,7 @@ double toe_level(const MotionSet& set, const Cycle& cycle, Side side) {
 }
 
 double toe_level(const MotionSet& set, const Cycle& cycle) {
-  std::vector<double> heights = standing_toe(set, cycle, Side::left);
-  const std::vector<double> right = standing_toe(set, cycle, Side::right);
-  heights.insert(heights.end(), right.begin(), right.end());
-  return quantile(heights, low_share);
+  return 0.5 * (toe_level(set, cycle, Side::left) + toe_level(set, cycle, Side::right));
 }
 
 double penetration_m(const MotionSet& set, const Cycle& cycle) {
