@@ -28,6 +28,9 @@ constexpr auto table = std::to_array<Family>({
     {"cochran_q", families::cochran_q},
     {"friedman", families::friedman},
     {"kaplan_meier", families::kaplan_meier},
+    {"ward", families::ward},
+    {"pca", families::pca},
+    {"classical_mds", families::classical_mds},
 });
 
 // Line and column of a byte, both from 1.

@@ -2,6 +2,7 @@
 
 #include "motion/canonical.h"
 #include "motion/gait/emotions.h"
+#include "motion/gait/families.h"
 #include "motion/gait/styles.h"
 #include "motion/gait/walk.h"
 
@@ -25,6 +26,7 @@ Cycle walked(const MotionSet& set, const gait::GaitStyle& style) {
 std::vector<gait::GaitStyle> styles_of(std::string_view name) {
   if (name == "A") return gait::styles_of_set_a();
   if (name == "B") return gait::styles_of_set_b();
+  if (name == "N") return gait::styles_of_set_n();
   return {};
 }
 
@@ -46,6 +48,12 @@ std::vector<StyleCharacter> builtin_characters(std::string_view name) {
   std::vector<StyleCharacter> characters;
   for (const gait::GaitStyle& style : styles_of(name)) characters.push_back(style.character);
   return characters;
+}
+
+std::vector<std::string> builtin_names(std::string_view name) {
+  std::vector<std::string> names;
+  for (const gait::GaitStyle& style : styles_of(name)) names.push_back(style.name);
+  return names;
 }
 
 }  // namespace promenade::motion

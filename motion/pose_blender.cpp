@@ -88,6 +88,8 @@ constexpr int block_rows = 16;
 
 using Block = Eigen::Matrix<double, block_rows, 1>;  // fits the registers of any x86-64
 
+constexpr int rounded_up(int size, int step) { return (size + step - 1) / step * step; }
+
 // Sums of columns, laid out as PoseBank::offsets.
 void mix(Index rows, const VectorXd& weights, const double* offsets, double* result) {
   for (Index row = 0; row < rows; row += block_rows) {
@@ -99,13 +101,15 @@ void mix(Index rows, const VectorXd& weights, const double* offsets, double* res
   }
 }
 
-void blend_phase(const PoseBank& bank, const VectorXd& weights, int phase,
-                 PoseBlend::Phase& result) {
-  if (result.index == phase) return;
-  result.index = phase;
-  mix(3 * bank.lanes, weights, bank.offsets.col(phase).data(), result.offsets.data());
-  exponential(bank.lanes, result.offsets.data(), result.rotations.data());
-  turn_by(bank.lanes, bank.average.col(4 * phase).data(), result.rotations.data());
+// The rotations of a phase, lanes x 4.
+const double* blended_phase(const PoseBank& bank, int phase, PoseBlend& blend) {
+  double* const result = blend.phases.col(4 * phase).data();
+  if (blend.made(phase)) return result;
+  blend.made(phase) = true;
+  mix(bank.rows, blend.weights, bank.offsets.col(phase).data(), blend.offsets.data());
+  exponential(bank.lanes, blend.offsets.data(), result);
+  turn_by(bank.lanes, bank.average.col(4 * phase).data(), result);
+  return result;
 }
 
 // sin(s a)/sin(a) = sum a_n (cos a - 1)^n with a_0 = s and
@@ -213,8 +217,9 @@ PoseBank make_pose_bank(const MotionSpace& space) {
     cycle.rotations.resize(4, 0);
     cycle.root.resize(3, 0);
   }
-  bank.lanes = (joints + block_rows - 1) / block_rows * block_rows;
-  bank.offsets = Eigen::MatrixXd::Zero(3 * bank.lanes * n, set.phases);
+  bank.lanes = rounded_up(joints, 8);
+  bank.rows = rounded_up(3 * bank.lanes, block_rows);
+  bank.offsets = Eigen::MatrixXd::Zero(bank.rows * n, set.phases);
   bank.average = Eigen::MatrixXd::Zero(bank.lanes, 4 * set.phases);
   for (int f = 0; f < set.phases; ++f) {
     for (int j = 0; j < joints; ++j) {
@@ -237,10 +242,9 @@ PoseBank make_pose_bank(const MotionSpace& space) {
 
 PoseBlend make_pose_blend(const PoseBank& bank) {
   PoseBlend blend;
-  for (PoseBlend::Phase* phase : {&blend.before, &blend.after}) {
-    phase->offsets.resize(3 * bank.lanes);
-    phase->rotations.resize(bank.lanes, 4);
-  }
+  blend.offsets.resize(bank.rows);
+  blend.phases.resize(bank.lanes, 4 * bank.set.phases);
+  blend.made.resize(bank.set.phases);
   blend.rotations.resize(bank.lanes, 4);
   blend.root.resize(3, bank.set.phases);
   blend.times.resize(bank.set.phases + 1);
@@ -253,7 +257,7 @@ PoseBlend make_pose_blend(const PoseBank& bank) {
 void set_weights(const PoseBank& bank, const VectorXd& weights, PoseBlend& blend) {
   assert(weights.size() == bank.size() && "one weight for each cycle");
   blend.weights = weights;
-  blend.before.index = blend.after.index = -1;
+  blend.made.setConstant(false);
   blend_keytimes(bank.set, weights, blend.timing.keytimes);
   blend.timing.seconds = blend.timing.keytimes.back();
   time_phases(bank, blend);
@@ -268,12 +272,9 @@ void pose_at(const PoseBank& bank, PoseBlend& blend, double phase, Pose& pose) {
   const int f = std::min(static_cast<int>(position), phases - 1);
   const int g = (f + 1) % phases;
   const double share = position - f;
-  if (blend.after.index == f) std::swap(blend.before, blend.after);
-  blend_phase(bank, blend.weights, f, blend.before);
-  blend_phase(bank, blend.weights, g, blend.after);
   const Index lanes = bank.lanes;
   const double* mixed = blend.rotations.data();
-  slerp(lanes, share, blend.before.rotations.data(), blend.after.rotations.data(),
+  slerp(lanes, share, blended_phase(bank, f, blend), blended_phase(bank, g, blend),
         blend.rotations.data());
   pose.root = (1 - share) * blend.root.col(f) + share * blend.root.col(g);
   pose.rotations.resize(bank.set.skeleton.joints.size());
@@ -283,10 +284,27 @@ void pose_at(const PoseBank& bank, PoseBlend& blend, double phase, Pose& pose) {
   }
 }
 
-void distance_points(const PoseBank& bank, PoseBlend& blend, DistancePoints& points) {
+void blended_cycle(const PoseBank& bank, PoseBlend& blend, Cycle& cycle) {
+  const int joints = bank.set.skeleton.size();
+  const Index lanes = bank.lanes;
+  cycle.keytimes = blend.timing.keytimes;
+  cycle.seconds = blend.timing.seconds;
+  cycle.velocity = blend.timing.velocity;
+  cycle.root = blend.root;
+  cycle.rotations.resize(4, static_cast<Index>(bank.set.phases) * joints);
+  double* to = cycle.rotations.data();
+  for (int f = 0; f < bank.set.phases; ++f) {
+    const double* const from = blended_phase(bank, f, blend);
+    for (int j = 0; j < joints; ++j) {
+      for (int c = 0; c < 4; ++c) *to++ = from[c * lanes + j];
+    }
+  }
+}
+
+void distance_points(const PoseBank& bank, PoseBlend& blend, DistancePoints& points,
+                     DistanceTimes times) {
   for (int t = 0; t < distance_samples; ++t) {
-    const double seconds = t * blend.timing.seconds / (distance_samples - 1);
-    pose_at(bank, blend, phase_at(bank.set, blend.timing, seconds), blend.pose);
+    pose_at(bank, blend, distance_phase(bank.set, blend.timing, times, t), blend.pose);
     forward_kinematics(bank.set.skeleton, blend.pose, blend.world);
     points.middleCols<body_joint_count>(t * body_joint_count) =
         body_positions(bank.set.body, blend.world);

@@ -13,14 +13,15 @@ using motion::DistancePoints;
 
 constexpr double start_margin = 0.8;
 
-DistancePoints points_of(const motion::MotionSpace& space, const Eigen::VectorXd& weights) {
-  return motion::distance_points(space.set, motion::blend(space, weights));
+DistancePoints points_of(const motion::MotionSpace& space, const Eigen::VectorXd& weights,
+                         DistanceTimes times) {
+  return motion::distance_points(space.set, motion::blend(space, weights), times);
 }
 
-std::vector<DistancePoints> example_points(const motion::MotionSpace& space) {
+std::vector<DistancePoints> example_points(const motion::MotionSpace& space, DistanceTimes times) {
   std::vector<DistancePoints> points;
   for (const motion::Cycle& cycle : space.set.cycles) {
-    points.push_back(motion::distance_points(space.set, cycle));
+    points.push_back(motion::distance_points(space.set, cycle, times));
   }
   return points;
 }
@@ -35,15 +36,16 @@ bool has_several_styles(const motion::MotionSet& set) {
 class Search {
  public:
   Search(const motion::MotionSpace& space, const InterfaceType& type, const InterfaceUse& use,
-         const Eigen::VectorXd& target)
+         const Eigen::VectorXd& target, DistanceTimes times)
       : space_(space),
         type_(type),
-        target_(points_of(space, target)),
+        times_(times),
+        target_(points_of(space, target, times)),
         start_(type.start({space, use.parameters, start_weights(space), 1})),
         rng_(1, 0, "reach") {}
 
   double distance_of(const InterfaceState& state) const {
-    return motion::distance(target_, points_of(space_, state.weights(settled_us))).mean_m;
+    return motion::distance(target_, points_of(space_, state.weights(settled_us), times_)).mean_m;
   }
 
   // A setting that someone might be at: a few proposals taken one after another.
@@ -88,6 +90,7 @@ class Search {
 
   const motion::MotionSpace& space_;
   const InterfaceType& type_;
+  DistanceTimes times_;
   DistancePoints target_;
   std::unique_ptr<InterfaceState> start_;
   Rng rng_;
@@ -96,17 +99,18 @@ class Search {
 }  // namespace
 
 double weights_distance(const motion::MotionSpace& space, const Eigen::VectorXd& a,
-                        const Eigen::VectorXd& b) {
-  return motion::distance(points_of(space, a), points_of(space, b)).mean_m;
+                        const Eigen::VectorXd& b, DistanceTimes times) {
+  return motion::distance(points_of(space, a, times), points_of(space, b, times)).mean_m;
 }
 
-double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target) {
-  return weights_distance(space, start_weights(space), target);
+double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target,
+                      DistanceTimes times) {
+  return weights_distance(space, start_weights(space), target, times);
 }
 
-double median_style_distance(const motion::MotionSpace& space) {
+double median_style_distance(const motion::MotionSpace& space, DistanceTimes times) {
   const bool several = has_several_styles(space.set);
-  const std::vector<DistancePoints> points = example_points(space);
+  const std::vector<DistancePoints> points = example_points(space, times);
   std::vector<double> distances;
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -118,11 +122,12 @@ double median_style_distance(const motion::MotionSpace& space) {
 }
 
 double automatic_threshold(const motion::MotionSpace& space, const Task& task) {
-  double threshold = 0.5 * median_style_distance(space);
+  double threshold = 0.5 * median_style_distance(space, task.distance);
   for (const std::vector<Target>* targets : {&task.targets, &task.practice}) {
     for (const Target& target : *targets) {
       if (!target.weights) continue;
-      threshold = std::min(threshold, start_margin * start_distance(space, *target.weights));
+      threshold =
+          std::min(threshold, start_margin * start_distance(space, *target.weights, task.distance));
     }
   }
   return threshold;
@@ -133,9 +138,9 @@ Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const 
   assert(target.weights && "only a target motion can be reached");
   const motion::MotionSpace& space = bundle.space;
   const InterfaceUse& use = bundle.study.interfaces[static_cast<std::size_t>(interface)];
-  Search search(space, *registry.find(use.type), use, *target.weights);
+  Search search(space, *registry.find(use.type), use, *target.weights, task.distance);
   Reach result;
-  result.start = start_distance(space, *target.weights);
+  result.start = start_distance(space, *target.weights, task.distance);
   result.settings = settings;
   result.best = INFINITY;
   std::unique_ptr<InterfaceState> best_state;
@@ -150,9 +155,9 @@ Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const 
   }
   if (best_state) result.best = search.descend(std::move(best_state), rounds);
   if (settings > 0) result.share_below = static_cast<double>(below) / settings;
-  const DistancePoints wanted = points_of(space, *target.weights);
+  const DistancePoints wanted = points_of(space, *target.weights, task.distance);
   result.best_example = INFINITY;
-  for (const DistancePoints& example : example_points(space)) {
+  for (const DistancePoints& example : example_points(space, task.distance)) {
     result.best_example = std::min(result.best_example, motion::distance(wanted, example).mean_m);
   }
   return result;

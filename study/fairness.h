@@ -6,16 +6,20 @@
 
 namespace promenade::study {
 
+using motion::DistanceTimes;
+
 // D between the blends of two weight vectors, metres.
 double weights_distance(const motion::MotionSpace& space, const Eigen::VectorXd& a,
-                        const Eigen::VectorXd& b);
+                        const Eigen::VectorXd& b, DistanceTimes times = DistanceTimes::time);
 
 // D of a target at the state in which trials begin.
-double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target);
+double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target,
+                      DistanceTimes times = DistanceTimes::time);
 
 // Median of D over all pairs of examples of different styles (of all pairs when there
 // is one style), metres; 0 for a set of one cycle.
-double median_style_distance(const motion::MotionSpace& space);
+double median_style_distance(const motion::MotionSpace& space,
+                             DistanceTimes times = DistanceTimes::time);
 
 // threshold = "auto": half the median distance between styles, but never more than
 // 0.8 times the D from which the nearest target of the task starts.

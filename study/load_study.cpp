@@ -85,7 +85,10 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_study_section(root, study);
   read_display(root, study);
   std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
-  if (set) bundle.space = motion::make_motion_space(std::move(*set));
+  if (set) {
+    bundle.space = motion::make_motion_space(std::move(*set));
+    bundle.bank = motion::make_pose_bank(bundle.space);
+  }
   study.interfaces = read_interfaces(root, registry);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
   study.ratings = read_ratings(root, study);

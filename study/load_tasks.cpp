@@ -50,12 +50,13 @@ std::vector<int> read_interface_list(const TomlTable& table, const Study& study)
 
 // A target that is won before anything was touched measures nothing.
 void refuse_won_targets(const TomlTable& table, std::string_view key,
-                        const std::vector<Target>& targets, double threshold,
+                        const std::vector<Target>& targets, const Task& task,
                         const motion::MotionSpace& space) {
+  const double threshold = *task.threshold_m;
   const std::vector<TomlTable> tables = table.tables(key);
   for (std::size_t i = 0; i < targets.size() && i < tables.size(); ++i) {
     if (!targets[i].weights) continue;
-    const double start = start_distance(space, *targets[i].weights);
+    const double start = start_distance(space, *targets[i].weights, task.distance);
     // "auto" goes down with the nearest target, to nothing at the average itself.
     if (start >= std::max(threshold, least_threshold_m)) continue;
     tables[i].error(fmt::format(
@@ -75,14 +76,16 @@ void read_threshold(const TomlTable& table, const StudyContext& context, Task& t
     task.threshold_m = table.number("threshold", least_threshold_m, largest_threshold_m);
   }
   if (!task.threshold_m || !context.space) return;
-  refuse_won_targets(table, "targets", task.targets, *task.threshold_m, *context.space);
-  refuse_won_targets(table, "practice", task.practice, *task.threshold_m, *context.space);
+  refuse_won_targets(table, "targets", task.targets, task, *context.space);
+  refuse_won_targets(table, "practice", task.practice, task, *context.space);
 }
 
 void read_match(const TomlTable& table, const StudyContext& context, Task& task) {
   task.targets = read_targets(table, "targets", context);
   task.practice = read_targets(table, "practice", context);
   if (!table.has("targets")) table.error(R"(a "match" task needs "targets")");
+  const bool by_phase = table.choice("distance", {"time", "phase"}) == "phase";
+  task.distance = by_phase ? motion::DistanceTimes::phase : motion::DistanceTimes::time;
   read_threshold(table, context, task);
   const double dwell_ms = table.number("dwell_ms", 0, longest_dwell_ms).value_or(500);
   task.dwell_us = static_cast<std::int64_t>(dwell_ms * 1000);
@@ -107,7 +110,7 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   if (kind == "find") read_find(table, context, task);
   if (!kind) {  // which keys belong here is not known
     for (const char* key : {"targets", "practice", "qualities"}) table.tables(key);
-    for (const char* key : {"threshold", "dwell_ms"}) table.scalar(key);
+    for (const char* key : {"threshold", "dwell_ms", "distance"}) table.scalar(key);
   }
   return task;
 }

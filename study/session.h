@@ -112,7 +112,8 @@ struct TrialState {
   std::unique_ptr<InterfaceState> interface;
   bool touched = false;     // false: the start is shown, whatever the controls say
   Eigen::VectorXd weights;  // shown now
-  motion::Cycle cycle;      // of these weights
+  motion::PoseBlend blend;  // of these weights
+  motion::Cycle cycle;      // the same as a cycle
   std::optional<motion::Cycle> target;
   std::optional<motion::DistancePoints> target_points;  // of the target, for D
   std::optional<double> d;                              // of what is shown

@@ -9,11 +9,13 @@
 namespace promenade::study {
 namespace {
 
-void measure(const motion::MotionSpace& space, TrialState& trial) {
-  trial.cycle = motion::blend(space, trial.weights);
+void measure(const motion::PoseBank& bank, motion::DistanceTimes times, TrialState& trial) {
+  motion::set_weights(bank, trial.weights, trial.blend);
+  motion::blended_cycle(bank, trial.blend, trial.cycle);
   if (!trial.target_points) return;
-  const motion::Distance d =
-      motion::distance(*trial.target_points, motion::distance_points(space.set, trial.cycle));
+  motion::DistancePoints points;
+  motion::distance_points(bank, trial.blend, points, times);
+  const motion::Distance d = motion::distance(*trial.target_points, points);
   TrialEnded& summary = trial.summary;
   trial.d = d.mean_m;
   summary.d_best = std::min(summary.d_best.value_or(d.mean_m), d.mean_m);
@@ -54,18 +56,20 @@ void Session::Steps::reset_trial(TrialState& trial) const {
 }
 
 void Session::Steps::open_trial(std::int64_t t_us) {
-  const motion::MotionSpace& space = session.bundle_->space;
+  const StudyBundle& bundle = *session.bundle_;
   TrialState trial;
   trial.index = session.page().trial;
   trial.started_us = t_us;
-  const Target& target = target_of(session.bundle_->study,
-                                   session.plan_.trials[static_cast<std::size_t>(trial.index)]);
+  const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(trial.index)];
+  const Target& target = target_of(bundle.study, planned);
+  const motion::DistanceTimes times = task_of(bundle.study, planned).distance;
   if (target.weights) {
-    trial.target = motion::blend(space, *target.weights);
-    trial.target_points = motion::distance_points(space.set, *trial.target);
+    trial.target = motion::blend(bundle.space, *target.weights);
+    trial.target_points = motion::distance_points(bundle.space.set, *trial.target, times);
   }
+  trial.blend = motion::make_pose_blend(bundle.bank);
   reset_trial(trial);
-  measure(space, trial);
+  measure(bundle.bank, times, trial);
   trial.summary.trial = trial.index;
   records.emplace_back(TrialStarted{trial.index, t_us, trial.d});
   session.trial_ = std::move(trial);
@@ -77,7 +81,7 @@ void Session::Steps::open_trial(std::int64_t t_us) {
 // Shows the weights that the trial has now. A change by time alone (an interface that
 // glides) leaves the dwell time running while D stays below.
 void Session::Steps::show(TrialState& trial, std::int64_t t_us, bool by_control) {
-  measure(session.bundle_->space, trial);
+  measure(session.bundle_->bank, task().distance, trial);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
   const bool below = below_threshold();
   if (!below) {

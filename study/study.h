@@ -9,6 +9,7 @@
 
 #include "motion/distance.h"
 #include "motion/motion_space.h"
+#include "motion/pose_blender.h"
 #include "motion/problem.h"
 #include "study/interface.h"
 #include "study/texts.h"
@@ -38,7 +39,8 @@ struct Task {
   std::optional<double> limit_s;      // nothing: as long as it takes
   std::optional<double> threshold_m;  // D that wins (match); nothing: only Done ends it
   std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
-  std::vector<int> interfaces;        // indices into Study::interfaces
+  motion::DistanceTimes distance = motion::DistanceTimes::time;  // when D compares (match)
+  std::vector<int> interfaces;                                   // indices into Study::interfaces
   std::vector<Target> targets;
   std::vector<Target> practice;  // targets of practice trials, per interface
 };
@@ -72,6 +74,7 @@ struct StudyBundle {
   std::string config_text;  // letter by letter
   std::string sha256;       // over everything that the study shows
   motion::MotionSpace space;
+  motion::PoseBank bank;  // of this space: what is shown comes from it
   std::string set_bytes, set_sha256;
   std::vector<Problem> warnings;
 };

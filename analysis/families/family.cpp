@@ -76,6 +76,29 @@ std::vector<std::vector<double>> matrix(const Json& input, const char* key) {
   return rows;
 }
 
+Eigen::MatrixXd table(const Json& input, const char* key) {
+  const auto rows = matrix(input, key);
+  Eigen::MatrixXd result(rows.size(), rows[0].size());
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    result.row(static_cast<Eigen::Index>(r)) =
+        Eigen::Map<const Eigen::RowVectorXd>(rows[r].data(), result.cols());
+  }
+  return result;
+}
+
+Eigen::MatrixXd distance_table(const Json& input, const char* key) {
+  const Eigen::MatrixXd distances = table(input, key);
+  if (distances.rows() != distances.cols()) {
+    throw CaseError(std::string("input.") + key + " is not square");
+  }
+  const double rounding = 1e-9 * distances.cwiseAbs().maxCoeff();
+  if ((distances - distances.transpose()).cwiseAbs().maxCoeff() > rounding) {
+    throw CaseError(std::string("input.") + key + " is not symmetric");
+  }
+  if (distances.minCoeff() < 0) throw CaseError(std::string("input.") + key + " is negative");
+  return distances;
+}
+
 Json to_json(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? Json(*value) : Json();
 }

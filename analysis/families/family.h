@@ -4,6 +4,7 @@
 // it cannot take is a thrown CaseError.
 #pragma once
 
+#include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -29,6 +30,9 @@ std::vector<double> numbers(const Json& input, const char* key);
 std::vector<std::optional<double>> numbers_or_null(const Json& input, const char* key);
 // Rows of equal length, at least one row and column.
 std::vector<std::vector<double>> matrix(const Json& input, const char* key);
+// The same for Eigen; the second: square, symmetric and not negative.
+Eigen::MatrixXd table(const Json& input, const char* key);
+Eigen::MatrixXd distance_table(const Json& input, const char* key);
 
 Json to_json(const std::optional<double>& value);
 Json to_json(const Interval& interval);
@@ -44,5 +48,8 @@ Json sign_test(const Json& input);
 Json cochran_q(const Json& input);
 Json friedman(const Json& input);
 Json kaplan_meier(const Json& input);
+Json ward(const Json& input);
+Json pca(const Json& input);
+Json classical_mds(const Json& input);
 
 }  // namespace promenade::analysis::families

@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "app/print.h"
 #include "app/registry.h"
-#include "study/fairness.h"
+#include "study/reach_models.h"
 
 namespace promenade::app {
 namespace {
@@ -31,12 +31,23 @@ struct TargetReport {
   std::vector<InterfaceReach> reaches;
 };
 
-TargetReport report_target(const StudyBundle& bundle, const Task& task, const Target& target,
-                           bool practice) {
+// By the model of the interface; one that has none is tried as it is.
+study::Reach reach_of(const StudyBundle& bundle, const study::ReachModels& models, const Task& task,
+                      int interface, const Target& target) {
+  const std::string& type = bundle.study.interfaces[static_cast<std::size_t>(interface)].type;
+  if (const motion::ControlMap* map = study::find_map(models, type)) {
+    return study::reach(models, *map, target, study::judged_threshold(bundle.space, task),
+                        task.distance);
+  }
+  return study::reach(bundle, interfaces(), task, interface, target);
+}
+
+TargetReport report_target(const StudyBundle& bundle, const study::ReachModels& models,
+                           const Task& task, const Target& target, bool practice) {
   TargetReport report{task.name, target.name, practice, task.threshold_m, {}};
   for (const int index : task.interfaces) {
     const std::string& name = bundle.study.interfaces[static_cast<std::size_t>(index)].name;
-    report.reaches.push_back({name, study::reach(bundle, interfaces(), task, index, target)});
+    report.reaches.push_back({name, reach_of(bundle, models, task, index, target)});
   }
   return report;
 }
@@ -60,11 +71,13 @@ void note_progress(const StudyBundle& bundle, int done, int count) {
 std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
   std::vector<TargetReport> reports;
   const int count = count_targets(bundle);
+  if (count == 0) return reports;
+  const study::ReachModels models = study::make_reach_models(bundle);
   for (const Task& task : bundle.study.tasks) {
     for (const bool practice : {true, false}) {
       for (const Target& target : practice ? task.practice : task.targets) {
         if (!target.weights) continue;
-        reports.push_back(report_target(bundle, task, target, practice));
+        reports.push_back(report_target(bundle, models, task, target, practice));
         note_progress(bundle, static_cast<int>(reports.size()), count);
       }
     }

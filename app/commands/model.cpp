@@ -4,23 +4,18 @@
 #include <memory>
 
 #include "app/commands.h"
-#include "app/commands/model_adjectives.h"
+#include "app/commands/model_parts.h"
 #include "app/commands/numbers.h"
 #include "app/print.h"
 #include "motion/cycle_clip.h"
-#include "motion/models/adjectives.h"
+#include "motion/models/control_maps.h"
 #include "motion/models/features.h"
-#include "motion/models/map.h"
 #include "study/study.h"
 
 namespace promenade::app {
 namespace {
 
 using Eigen::VectorXd;
-
-std::vector<double> list(const Eigen::Ref<const VectorXd>& values) {
-  return {values.begin(), values.end()};
-}
 
 // "1.5,2,-3\n" behind a name.
 std::string csv_row(const std::string& name, const Eigen::Ref<const VectorXd>& values) {
@@ -97,7 +92,7 @@ void show_blend(const std::string& name, const std::string& weights_text, bool c
   if (csv) return print_text(frames_csv(frames));
   Json positions = Json::array();
   for (const Eigen::Matrix3Xd& one : frames.positions) positions.push_back(position_json(one));
-  print_json({{"weights", list(weights)},
+  print_json({{"weights", to_list(weights)},
               {"seconds", cycle.seconds},
               {"keytimes", cycle.keytimes},
               {"frames", frames.positions.size()},
@@ -106,83 +101,6 @@ void show_blend(const std::string& name, const std::string& weights_text, bool c
               {"unit", "m"},
               {"joints", frames.joints},
               {"positions", positions}});
-}
-
-struct MapArguments {
-  std::string set, at;
-  bool json = false, csv = false, mahalanobis = false;
-  int clusters = 3;
-};
-
-// Weights of one map point under each heuristic; random ones need a seed and are left
-// out.
-Json point_json(const motion::Pca& pca, motion::MapOptions options, const Eigen::Vector2d& at) {
-  Json result = {{"at", {at.x(), at.y()}}};
-  const std::pair<const char*, motion::MapHeuristic> heuristics[] = {
-      {"zero", motion::MapHeuristic::zero},
-      {"closest", motion::MapHeuristic::closest},
-      {"weights", motion::MapHeuristic::weights}};
-  for (const auto& [name, heuristic] : heuristics) {
-    options.heuristic = heuristic;
-    options.glide_s = 0;
-    const motion::Minimap map = motion::make_minimap(pca, options);
-    const motion::MapState state = motion::move(map, motion::start_map(map), {at, true, 0}, {});
-    VectorXd weights;
-    motion::weights_at(map, state, 0, weights);
-    result[name] = {{"point", {state.point.x(), state.point.y()}}, {"weights", list(weights)}};
-  }
-  return result;
-}
-
-Json examples_json(const motion::MotionSet& set, const motion::Pca& pca, const motion::Minimap& map,
-                   const std::vector<int>& clusters) {
-  Json examples = Json::array();
-  for (int i = 0; i < set.size(); ++i) {
-    const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
-    examples.push_back({{"name", cycle.name},
-                        {"style", cycle.style},
-                        {"x", map.examples(0, i)},
-                        {"y", map.examples(1, i)},
-                        {"cluster", clusters[static_cast<std::size_t>(i)]},
-                        {"coordinates", list(pca.coordinates.col(i))}});
-  }
-  return examples;
-}
-
-void show_map(const MapArguments& given) {
-  const motion::MotionSpace space =
-      motion::make_motion_space(study::load_motion_set(given.set, ""));
-  const motion::Pca pca = motion::principal_components(space);
-  if (pca.components() == 0)
-    throw InputError(given.set, "all its cycles are alike; a map needs two that differ");
-  motion::MapOptions options;
-  if (given.mahalanobis) options.metric = motion::MapMetric::mahalanobis;
-  const motion::Minimap map = motion::make_minimap(pca, options);
-  const int clusters = std::clamp(given.clusters, 1, space.set.size());
-  const std::vector<int> labels = motion::cut(motion::ward(map.examples), clusters);
-  if (given.csv) {
-    std::string text = "name,x,y,cluster\n";
-    for (int i = 0; i < space.set.size(); ++i) {
-      const auto index = static_cast<std::size_t>(i);
-      text += fmt::format("{},{},{},{}\n", csv_cell(space.set.cycles[index].name),
-                          map.examples(0, i), map.examples(1, i), labels[index]);
-    }
-    return print_text(text);
-  }
-  Json document = {{"set", space.set.name},
-                   {"metric", given.mahalanobis ? "mahalanobis" : "euclidean"},
-                   {"components", map.components()},
-                   {"variances", list(pca.variances)},
-                   {"explained", list(pca.variances / pca.total_variance)},
-                   {"point_limit", map.point_limit},
-                   {"rest_limit", map.rest_limit},
-                   {"examples", examples_json(space.set, pca, map, labels)}};
-  if (!given.at.empty()) {
-    const VectorXd at = parse_numbers("--at", given.at);
-    if (at.size() != 2) throw InputError("--at", "a map point has two numbers, x,y");
-    document["point"] = point_json(pca, options, at);
-  }
-  print_json(document);
 }
 
 void show_features(const std::string& name, bool csv) {
@@ -206,11 +124,18 @@ void show_features(const std::string& name, bool csv) {
   for (int i = 0; i < set.size(); ++i) {
     const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
     document["rows"].push_back(
-        {{"name", cycle.name}, {"style", cycle.style}, {"values", list(values.col(i))}});
+        {{"name", cycle.name}, {"style", cycle.style}, {"values", to_list(values.col(i))}});
   }
   if (set.size() > 1) {
-    document["clusters"] =
-        motion::cluster_rows(motion::scaled_to_range(values), 4).cluster;  // of each feature
+    const motion::FeatureSliders sliders = motion::feature_sliders(set);
+    document["clusters"] = sliders.cluster;  // of each feature
+    document["sliders"] = Json::array();
+    for (std::size_t c = 0; c < sliders.names.size(); ++c) {
+      document["sliders"].push_back(
+          {{"name", sliders.names[c]},
+           {"agreement", sliders.agreement[c]},
+           {"values", to_list(sliders.parameters.row(static_cast<Eigen::Index>(c)).transpose())}});
+    }
   }
   print_json(document);
 }
@@ -228,18 +153,6 @@ void add_blend(CLI::App& model) {
   command->add_flag("--csv", given->csv, "Rows of frame, joint, x, y, z");
   command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
   command->callback([given] { show_blend(given->set, given->weights, given->csv); });
-}
-
-void add_map(CLI::App& model) {
-  auto* command = model.add_subcommand("map", "Where the cycles lie on the minimap");
-  const auto given = std::make_shared<MapArguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
-  command->add_option("--at", given->at, "x,y: the weights of this point under each heuristic");
-  command->add_option("--clusters", given->clusters, "Clusters of the dots (Ward)");
-  command->add_flag("--mahalanobis", given->mahalanobis, "Axes in standard deviations");
-  command->add_flag("--csv", given->csv, "Rows of name, x, y, cluster");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show_map(*given); });
 }
 
 void add_features(CLI::App& model) {
@@ -261,9 +174,11 @@ void add_model_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("model", "The models behind the interfaces");
   command->require_subcommand(1);
   add_blend(*command);
-  add_map(*command);
+  add_model_map(*command);
   add_features(*command);
   add_model_adjectives(*command);
+  add_model_raters(*command);
+  add_model_targets(*command);
 }
 
 }  // namespace promenade::app

@@ -34,6 +34,10 @@ Eigen::VectorXd parse_numbers(const std::string& option, const std::string& text
   return Eigen::Map<Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+std::vector<double> to_list(const Eigen::Ref<const Eigen::VectorXd>& values) {
+  return {values.begin(), values.end()};
+}
+
 std::string csv_cell(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string result = "\"";

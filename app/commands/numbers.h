@@ -17,6 +17,9 @@ std::optional<double> parse_number(std::string_view text);
 // "0.5,0.25,0.25" as numbers; `option` names it in the InputError with all that is wrong.
 Eigen::VectorXd parse_numbers(const std::string& option, const std::string& text);
 
+// For JSON.
+std::vector<double> to_list(const Eigen::Ref<const Eigen::VectorXd>& values);
+
 using study::CsvRow;
 using study::parse_csv;
 

@@ -4,11 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
 
 #include "app/commands/numbers.h"
-#include "motion/models/adjective_pairs.h"
 #include "motion/problem.h"
 #include "study/did_you_mean.h"
 
@@ -22,7 +19,7 @@ class Reader {
   Reader(const std::string& file, const std::vector<std::string>& motions)
       : file_(file), motions_(motions) {}
 
-  RatingsTable read(std::string_view text) {
+  study::RatingsTable read(std::string_view text) {
     const std::vector<CsvRow> rows = parse_csv(text);
     if (rows.empty())
       throw InputError(file_, "is empty; a header rater,motion,pair,value is wanted");
@@ -67,35 +64,16 @@ class Reader {
     }
     if (cell(row, pair).empty()) report(row, 0, "the pair is empty");
   }
-  static int number_of(std::map<std::string, int>& known, const std::string& name) {
-    return known.emplace(name, static_cast<int>(known.size())).first->second;
-  }
-  RatingsTable table(const std::vector<CsvRow>& rows) const {
-    RatingsTable result;
-    std::set<std::string> pairs, motions;
+  study::RatingsTable table(const std::vector<CsvRow>& rows) const {
+    std::vector<study::NamedRating> ratings;
+    bool simulated = false;
     for (std::size_t i = 1; i < rows.size(); ++i) {
-      pairs.insert(cell(rows[i], pair));
-      motions.insert(cell(rows[i], motion_name));
+      ratings.push_back({cell(rows[i], rater), cell(rows[i], motion_name), cell(rows[i], pair),
+                         *parse_number(cell(rows[i], value))});
+      simulated = simulated || ratings.back().rater.rfind("simulated", 0) == 0;
     }
-    result.pairs.assign(pairs.begin(), pairs.end());
-    const auto printed = [](const std::string& name) {
-      const int found = motion::find_adjective_pair(name);
-      return found < 0 ? static_cast<int>(motion::adjective_pairs.size()) : found;
-    };
-    std::stable_sort(
-        result.pairs.begin(), result.pairs.end(),
-        [&printed](const std::string& a, const std::string& b) { return printed(a) < printed(b); });
-    result.motions = motions_;
-    if (motions_.empty()) result.motions.assign(motions.begin(), motions.end());
-    std::map<std::string, int> raters, pair_index, motion_index;
-    for (const std::string& name : result.pairs) number_of(pair_index, name);
-    for (const std::string& name : result.motions) number_of(motion_index, name);
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      result.ratings.push_back(
-          {number_of(raters, cell(rows[i], rater)), pair_index.at(cell(rows[i], pair)),
-           motion_index.at(cell(rows[i], motion_name)), *parse_number(cell(rows[i], value))});
-    }
-    result.raters = static_cast<int>(raters.size());
+    study::RatingsTable result = study::make_ratings_table(ratings, motions_);
+    result.simulated = simulated;
     return result;
   }
 
@@ -107,8 +85,8 @@ class Reader {
 
 }  // namespace
 
-RatingsTable read_ratings(const std::string& file, std::string_view text,
-                          const std::vector<std::string>& motions) {
+study::RatingsTable read_ratings(const std::string& file, std::string_view text,
+                                 const std::vector<std::string>& motions) {
   return Reader(file, motions).read(text);
 }
 

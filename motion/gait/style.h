@@ -99,8 +99,9 @@ struct Arms {
 };
 
 struct GaitStyle {
-  std::string name;   // unique in its set: "misery-slow"
-  std::string style;  // "misery"
+  std::string name;    // unique in its set: "misery-slow"
+  std::string style;   // "misery"
+  std::string family;  // in set N: "crouching"
   StyleCharacter character;
   Timing timing;
   Feet feet;

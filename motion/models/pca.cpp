@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/models/gram.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -28,22 +30,6 @@ bool points_backwards(const VectorXd& entries, const std::vector<std::string>& n
     if (first) chosen = i;
   }
   return chosen >= 0 && entries(chosen) < 0;
-}
-
-// Blocks of rows are centred into a buffer that stays in the cache, so that x is
-// read once and never copied as a whole.
-MatrixXd centred_gram(const Eigen::Ref<const MatrixXd>& x) {
-  constexpr Index rows = 192;
-  MatrixXd gram = MatrixXd::Zero(x.cols(), x.cols());
-  MatrixXd block(x.cols(), rows);
-  for (Index r = 0; r < x.rows(); r += rows) {
-    const Index count = std::min(rows, x.rows() - r);
-    auto part = block.leftCols(count);
-    part = x.middleRows(r, count).transpose();
-    part.rowwise() -= part.colwise().mean().eval();
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(part);
-  }
-  return gram;
 }
 
 VectorXd deviations_of(const MatrixXd& centred) {

@@ -1,7 +1,7 @@
 #include "motion/models/radial_basis.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -40,13 +40,21 @@ std::vector<int> group_examples(const MatrixXd& squares, double share) {
 }
 
 // Pc^+ of the M x G centred parameters, transposed: W_lin(p) = 1/G + linear (p - mean).
+// From the smaller Gram matrix, which loses half of the digits of small singular
+// values; they are cut.
 MatrixXd linear_part(const MatrixXd& centred, double smallest) {
+  assert(smallest >= 1e-4 && "smaller singular values drown in rounding");
   if (centred.size() == 0) return MatrixXd::Zero(centred.cols(), centred.rows());
-  const Eigen::JacobiSVD<MatrixXd> svd(centred, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  const VectorXd& values = svd.singularValues();
-  const Index kept = (values.array() > smallest * values(0)).count();
-  return svd.matrixV().leftCols(kept) * values.head(kept).cwiseInverse().asDiagonal() *
-         svd.matrixU().leftCols(kept).transpose();
+  const bool wide = centred.rows() <= centred.cols();
+  const MatrixXd gram =
+      wide ? MatrixXd(centred * centred.transpose()) : MatrixXd(centred.transpose() * centred);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(gram);
+  const VectorXd& squares = solver.eigenvalues();  // rising
+  const double least = smallest * smallest * squares(squares.size() - 1);
+  const Index kept = (squares.array() > least).count();
+  const auto axes = solver.eigenvectors().rightCols(kept);
+  const MatrixXd inverse = axes * squares.tail(kept).cwiseInverse().asDiagonal() * axes.transpose();
+  return wide ? MatrixXd(centred.transpose() * inverse) : MatrixXd(inverse * centred.transpose());
 }
 
 VectorXd nearest_distances(MatrixXd squares) {

@@ -12,6 +12,7 @@ namespace promenade::motion {
 struct RadialBasisOptions {
   // Directions of the parameters in which the examples vary less than this share of
   // the widest are left to the basis functions: there the linear weights explode.
+  // At least 1e-4.
   double smallest_singular = 0.02;
   // Examples closer than this share of the examples' diameter count as one, whose
   // weight they share: a basis function needs a radius.

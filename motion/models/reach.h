@@ -18,12 +18,19 @@ struct ReachProblem {
   WeightsMap weights;
   Box box;                // where the parameters can be
   Eigen::VectorXd start;  // N, the weights before anything is touched
+  // Parameters that are worth a search of their own, best first or not.
+  std::vector<Eigen::VectorXd> guesses = {};
+  // Not empty: an interface of finitely many settings. Each is tried, instead of
+  // random ones and searches; parameter 0 is its index.
+  std::vector<Eigen::VectorXd> choices = {};
 };
 
 struct ReachOptions {
   double threshold_m = 0.06;
+  DistanceTimes times = DistanceTimes::time;  // as those of the target's points
   int random_settings = 500;
-  int searches = 6;  // from the start of the box's middle and the best random settings
+  int searches = 6;  // from the middle of the box, the two best guesses, the best random
+                     // settings
   SearchOptions search = {};
 };
 
@@ -32,7 +39,7 @@ struct Reach {
   Eigen::VectorXd best_at;       // its parameters
   double start_m = 0;            // D of the start weights
   double share_below = 0;        // of the random settings with D < threshold
-  std::vector<double> random_m;  // D of each random setting
+  std::vector<double> random_m;  // D of each random setting, or of each choice
 };
 
 // `uniform` draws from [0, 1): the caller's generator makes it reproducible.

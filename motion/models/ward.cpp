@@ -78,32 +78,46 @@ class Centroids {
   VectorXd squares_;
 };
 
-// Clusters as rows of squared heights between them (Lance-Williams).
+// Clusters as columns of squared heights between them (Lance-Williams). A column stays in its
+// place: in a large matrix every access along a row costs a cache miss.
 class Squares {
  public:
-  explicit Squares(const MatrixXd& distances) : squares_(distances.cwiseAbs2()) {}
+  explicit Squares(const MatrixXd& distances)
+      : squares_(distances.cwiseAbs2()),
+        place_(static_cast<std::size_t>(distances.cols())),
+        scan_(distances.cols()) {
+    std::iota(place_.begin(), place_.end(), Index{0});
+  }
 
-  Eigen::Ref<const VectorXd> scan(const Slots&, int of) const { return squares_.col(of); }
+  const VectorXd& scan(const Slots& slots, int of) {
+    const double* const column = squares_.col(place(of)).data();
+    for (int s = 0; s < slots.active; ++s) scan_(s) = column[place(s)];
+    return scan_;
+  }
 
   void merge(const Slots& slots, int into, int from) {
-    const Index active = slots.active;
-    const Eigen::Map<const Eigen::ArrayXd> count(slots.count.data(), active);
-    const double a = count(into);
-    const double b = count(from);
-    auto merged = squares_.col(into).head(active).array();
-    const double between = merged(from);
-    merged = ((a + count) * merged + (b + count) * squares_.col(from).head(active).array() -
-              count * between) /
-             (a + b + count);
-    merged(into) = 0;
-    squares_.row(into).head(active) = squares_.col(into).head(active).transpose();
-    squares_.col(from).head(active) = squares_.col(active - 1).head(active);
-    squares_.row(from).head(active) = squares_.row(active - 1).head(active);
-    squares_(from, from) = 0;
+    const double a = slots.count[static_cast<std::size_t>(into)];
+    const double b = slots.count[static_cast<std::size_t>(from)];
+    auto merged = squares_.col(place(into));
+    const auto lost = squares_.col(place(from));
+    const double between = merged(place(from));
+    for (int s = 0; s < slots.active; ++s) {
+      const Index row = place(s);
+      const double count = slots.count[static_cast<std::size_t>(s)];
+      const double squared =
+          ((a + count) * merged(row) + (b + count) * lost(row) - count * between) / (a + b + count);
+      merged(row) = squared;
+      squares_(place(into), row) = squared;
+    }
+    place_[static_cast<std::size_t>(from)] = place(slots.active - 1);
   }
 
  private:
+  Index place(int slot) const { return place_[static_cast<std::size_t>(slot)]; }
+
   MatrixXd squares_;
+  std::vector<Index> place_;  // of a slot: its row and column
+  VectorXd scan_;             // a column in the order of the slots
 };
 
 struct Neighbour {

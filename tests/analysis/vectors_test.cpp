@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -64,8 +65,52 @@ TEST(Vectors, DropPairsWithANull) {
   EXPECT_TRUE(results["m"]["hl_all"]["ci95"].is_null());
 }
 
+TEST(Vectors, CutATreeOnlyWhereThereAreLeavesEnough) {
+  const Json result = run(R"({"families": {"ward": [
+      {"id": "w", "input": {"points": [[0, 0], [3, 4], [3, 5]]}}]}})")["w"];
+  EXPECT_EQ(result["R_merge"], Json::parse("[[-2, -3], [-1, 1]]"));
+  EXPECT_EQ(result["labels_k2"], Json::parse("[0, 1, 1]"));
+  EXPECT_TRUE(result["labels_k4"].is_null());
+  // n1 n2/(n1 + n2) times the squared distance to (3, 4.5), doubled.
+  EXPECT_NEAR(result["height_squared"][1].get<double>(), 4.0 / 3 * 29.25, 1e-12);
+}
+
+TEST(Vectors, RefuseTablesThatAreNoDistances) {
+  const Json results = run(R"({"families": {"classical_mds": [
+      {"id": "square", "input": {"dist": [[0, 1]], "k": 2}},
+      {"id": "even", "input": {"dist": [[0, 1], [2, 0]], "k": 2}},
+      {"id": "sign", "input": {"dist": [[0, -1], [-1, 0]], "k": 2}}]}})");
+  EXPECT_EQ(results["square"]["error"], "input.dist is not square");
+  EXPECT_EQ(results["even"]["error"], "input.dist is not symmetric");
+  EXPECT_EQ(results["sign"]["error"], "input.dist is negative");
+}
+
+std::vector<double> numbers_in(const Json& table) {
+  if (!table.is_array()) return {table.get<double>()};
+  std::vector<double> numbers;
+  for (const Json& part : table) {
+    const std::vector<double> inner = numbers_in(part);
+    numbers.insert(numbers.end(), inner.begin(), inner.end());
+  }
+  return numbers;
+}
+
+// Tables of a principal component analysis are within 1e-7 (1e-9) of their largest value.
+bool near_as_a_whole(const Json& actual, const Json& expected, double tolerance) {
+  const std::vector<double> a = numbers_in(actual);
+  const std::vector<double> e = numbers_in(expected);
+  double largest = 0;
+  for (const double value : e) largest = std::max(largest, std::abs(value));
+  return std::equal(a.begin(), a.end(), e.begin(), e.end(), [&](double x, double y) {
+    return std::abs(x - y) <= tolerance * largest;
+  });
+}
+
 // The tolerances that the header of the shared file states.
 bool agree(const Json& actual, const Json& expected, const std::string& key) {
+  if (key == "points" || key == "rotation" || key == "scores")
+    return near_as_a_whole(actual, expected, 1e-7);
+  if (key == "eig" || key == "sdev") return near_as_a_whole(actual, expected, 1e-9);
   if (expected.is_number() && actual.is_number()) {
     const double a = actual;
     const double e = expected;

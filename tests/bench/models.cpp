@@ -60,6 +60,8 @@ VectorXd positive_weights(std::uint64_t seed) {
   return weights / weights.sum();
 }
 
+// Both neighbouring phases are blended anew for each pose, as after a change of weights;
+// with `kept` they are there already, as in a walk that goes on.
 void pose_of_27_cycles(benchmark::State& state) {
   const PoseBank bank = make_pose_bank(bench_space());
   PoseBlend blend = make_pose_blend(bank);
@@ -68,13 +70,14 @@ void pose_of_27_cycles(benchmark::State& state) {
   WorldPose world;
   double phase = 0;
   for (auto _ : state) {
+    if (state.range(1) == 0) blend.made.setConstant(false);
     pose_at(bank, blend, phase += 0.0137, pose);
     if (state.range(0) == 1) forward_kinematics(bank.set.skeleton, pose, world);
     benchmark::DoNotOptimize(pose.rotations.data());
     benchmark::DoNotOptimize(world.positions.data());
   }
 }
-BENCHMARK(pose_of_27_cycles)->ArgName("kinematics")->Arg(0)->Arg(1);
+BENCHMARK(pose_of_27_cycles)->ArgNames({"kinematics", "kept"})->ArgsProduct({{0, 1}, {0, 1}});
 
 void new_weights_for_a_pose(benchmark::State& state) {
   const PoseBank bank = make_pose_bank(bench_space());
@@ -87,7 +90,7 @@ void new_weights_for_a_pose(benchmark::State& state) {
 }
 BENCHMARK(new_weights_for_a_pose);
 
-// Sliders to weights, to the timing and path, and to D.
+// Sliders to weights, to the timing and path, to D and, with 1, to all poses of the cycle.
 void a_control_moved(benchmark::State& state) {
   const PoseBank bank = make_pose_bank(bench_space());
   PoseBlend blend = make_pose_blend(bank);
@@ -96,23 +99,26 @@ void a_control_moved(benchmark::State& state) {
   DistancePoints points, target;
   distance_points(bank, blend, target);
   VectorXd weights(27);
+  Cycle cycle;
   for (auto _ : state) {
     raw_weights(basis, slider, weights);
     apply_rule(NegativeRule::clamp, weights);
     set_weights(bank, weights, blend);
+    if (state.range(0) == 1) blended_cycle(bank, blend, cycle);
     distance_points(bank, blend, points);
     benchmark::DoNotOptimize(distance(points, target));
+    benchmark::DoNotOptimize(cycle.rotations.data());
   }
 }
-BENCHMARK(a_control_moved);
+BENCHMARK(a_control_moved)->ArgName("whole_cycle")->Arg(0)->Arg(1);
 
-void whole_cycle(benchmark::State& state) {
+void cycle_by_definition(benchmark::State& state) {
   const VectorXd weights = positive_weights(7);
   for (auto _ : state) benchmark::DoNotOptimize(blend(bench_space(), weights));
 }
-BENCHMARK(whole_cycle);
+BENCHMARK(cycle_by_definition);
 
-void whole_cycle_and_distance(benchmark::State& state) {
+void cycle_by_definition_and_distance(benchmark::State& state) {
   const MotionSpace& space = bench_space();
   const VectorXd weights = positive_weights(8);
   const DistancePoints target = distance_points(space.set, space.set.cycles[0]);
@@ -120,7 +126,7 @@ void whole_cycle_and_distance(benchmark::State& state) {
     benchmark::DoNotOptimize(distance(distance_points(space.set, blend(space, weights)), target));
   }
 }
-BENCHMARK(whole_cycle_and_distance);
+BENCHMARK(cycle_by_definition_and_distance);
 
 void components_of_55_by_5952(benchmark::State& state) {
   const MatrixXd x = Random(9).normals(5952, 55);

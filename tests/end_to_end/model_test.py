@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """The models from outside: what `promenade model` says agrees with what it exports."""
+import contextlib
 import json
 import math
 import os
 import pathlib
+import sqlite3
 import subprocess
 import tempfile
 import unittest
@@ -83,6 +85,94 @@ class Model(unittest.TestCase):
             found = document("model", "adjectives", str(path), "--clusters", "1")
             self.assertEqual(found["primary"], [[0, 0.5, 1]])
             self.assertEqual([p["fate"] for p in found["pairs"]], ["kept"] * 3)
+
+    def test_targets_show_all_five_interfaces_and_agree_with_check(self):
+        shown = document("model", "targets", "configs/demo.toml", "--json")
+        self.assertEqual(shown, document("model", "targets", "configs/demo.toml", "--json"))
+        self.assertTrue(shown["adjectives"]["simulated"])
+        checked = document("check", "configs/demo.toml", "--json")["studies"][0]["targets"]
+        for target in shown["tasks"][0]["targets"]:
+            by_name = {row["interface"]: row for row in target["interfaces"]}
+            self.assertEqual(sorted(by_name), ["adjectives", "features", "labels", "map",
+                                               "weights"])
+            self.assertEqual({n for n, row in by_name.items() if row["used"]},
+                             {"labels", "weights"})
+            for row in by_name.values():
+                self.assertLessEqual(row["d_best"], row["d_start"])
+                self.assertTrue(0 <= row["share_below"] <= 1)
+            self.assertAlmostEqual(by_name["labels"]["d_best"], target["d_best_example"], 12)
+            same = [t for t in checked if t["target"] == target["target"]][0]
+            for row in same["interfaces"]:
+                for key in ("d_start", "d_best", "share_below"):
+                    self.assertEqual(row[key], by_name[row["name"]][key])
+        self.assertAlmostEqual(shown["tasks"][0]["automatic_threshold_m"],
+                               shown["tasks"][0]["threshold_m"], delta=1e-12)
+
+    def test_simulated_raters_write_the_ratings_of_the_default_model(self):
+        model = document("model", "adjectives", "builtin:A")
+        self.assertTrue(model["simulated"])
+        self.assertEqual({c["name"] for c in model["clusters"]},
+                         {"quickness", "clearness", "activeness", "largeness"})
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "ratings.csv"
+            self.assertEqual(call("model", "raters", "builtin:A", "--out", str(path)).returncode, 0)
+            self.assertEqual(len(path.read_text().splitlines()), 1 + 14 * 41 * 10)
+            again = document("model", "adjectives", str(path), "--set", "builtin:A")
+            self.assertTrue(again["simulated"])
+            self.assertEqual(again["primary"], model["primary"])
+            self.assertEqual(again["prediction"]["left_out"], model["prediction"]["left_out"])
+            self.assertEqual(call("model", "raters", "mine").returncode, 2)
+
+    def test_dropped_pairs_say_by_which_threshold(self):
+        for pair in document("model", "adjectives", "builtin:A")["pairs"]:
+            by = (["mu_star"] if pair["mu_star"] < 1.0 else [])
+            by += ["sigma"] if pair["sigma"] > 0.85 else []
+            self.assertEqual(pair["dropped_by"], by)
+            self.assertEqual(pair["fate"] == "kept", not by)
+
+    def test_adjectives_of_a_set_that_nobody_rated_are_predicted(self):
+        found = document("model", "adjectives", "builtin:B", "--predict", "builtin:B")
+        rows = found["prediction"]["rows"]
+        self.assertEqual([r["name"] for r in rows], found["motions"])
+        for c, error in enumerate(found["prediction"]["left_out_error"]):
+            self.assertLess(error, found["prediction"]["error_of_the_mean"][c])
+            # In the sample the fit is better than left out.
+            squares = [(r["values"][c] - v) ** 2 for r, v in zip(rows, found["primary"][c])]
+            self.assertLess(math.sqrt(sum(squares) / len(rows)), error)
+
+    def test_ratings_come_from_a_database_too(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = str(pathlib.Path(folder) / "rated.db")
+            made = call("simulate", "configs/demo.toml", "--participants", "2", "--seed", "3",
+                        "--db", path)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            self.assertIn("holds no ratings", call("model", "adjectives", path).stderr)
+            with contextlib.closing(sqlite3.connect(path)) as database, database:
+                trials = database.execute("SELECT session, uuid FROM trial WHERE practice = 0 "
+                                          "AND target = 'proud'").fetchall()
+                for session, trial in trials:
+                    database.execute("INSERT INTO answer VALUES (?, ?, 'rate', '1', 'slow-fast', "
+                                     "2, NULL, 0, 1, 0)", (session, trial))
+            self.assertEqual(call("model", "adjectives", path).returncode, 2)
+            found = document("model", "adjectives", path, "--include-simulated")
+            self.assertTrue(found["simulated"])
+            self.assertEqual(found["raters"], 2)
+            proud = found["motions"].index("proud")
+            self.assertEqual(found["pairs"][0]["mean"][proud], 2)
+
+    def test_pictures_are_written_whole_or_not_at_all(self):
+        with tempfile.TemporaryDirectory() as folder:
+            dots = str(pathlib.Path(folder) / "map.svg")
+            strips = str(pathlib.Path(folder) / "strips.svg")
+            made = call("model", "map", "builtin:A", "--picture", dots, "--heuristics", strips,
+                        "--at=1,-1")
+            self.assertEqual((made.returncode, made.stdout), (0, ""), made.stderr)
+            for path in (dots, strips):
+                self.assertIn("</svg>", pathlib.Path(path).read_text())
+            self.assertIn("sneaky", pathlib.Path(dots).read_text())
+            for wrong in (("--picture", dots + ".txt"), ("--heuristics", strips)):
+                self.assertEqual(call("model", "map", "builtin:A", *wrong).returncode, 2)
+            self.assertEqual(sorted(os.listdir(folder)), ["map.svg", "strips.svg"])
 
 
 if __name__ == "__main__":

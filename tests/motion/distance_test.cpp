@@ -64,5 +64,28 @@ TEST(Distance, IgnoresHowFarACycleWalks) {
   EXPECT_EQ(distance(set, set.cycles[0], faster).mean_m, 0);
 }
 
+TEST(DistanceAtPhases, DoesNotSeeWhenKeytimesCome) {
+  const MotionSet set = toy_set(2, 60);
+  Cycle late = set.cycles[0];
+  for (std::size_t k = 1; k + 1 < late.keytimes.size(); ++k) late.keytimes[k] += 0.05;
+  EXPECT_EQ(distance(set, set.cycles[0], late, DistanceTimes::phase).mean_m, 0);
+  EXPECT_GT(distance(set, set.cycles[0], late, DistanceTimes::time).mean_m, 1e-3);
+}
+
+TEST(DistanceAtPhases, IsTheMeanOverElevenCommonPhases) {
+  const MotionSet set = toy_set(2, 60);
+  double sum = 0;
+  for (int t = 0; t <= 10; ++t) {
+    const auto at = [&](const Cycle& cycle) {
+      return body_positions(set.body,
+                            forward_kinematics(set.skeleton, pose_at(set, cycle, 0.1 * t)));
+    };
+    sum += (at(set.cycles[0]) - at(set.cycles[1])).colwise().norm().sum();
+  }
+  const Distance d = distance(set, set.cycles[0], set.cycles[1], DistanceTimes::phase);
+  EXPECT_NEAR(d.sum_m, sum, 1e-9);
+  EXPECT_NEAR(d.mean_m, sum / 220, 1e-11);
+}
+
 }  // namespace
 }  // namespace promenade::motion

@@ -43,13 +43,13 @@ TEST(RawWeights, SumToOneEverywhere) {
 TEST(RawWeights, DoNotExplodeWhereTheExamplesBarelyDiffer) {
   Random random(3);
   MatrixXd p = random.uniforms(26, 27);
-  p.row(25) *= 1e-4;
+  p.row(25) *= 1e-3;
   const MatrixXd centred = p.colwise() - p.rowwise().mean();
   const double widest = centred.operatorNorm();
   const RadialBasisOptions options{.smallest_singular = 0.05, .same_example = 1e-6};
   EXPECT_LE(fit_radial_basis(p, options).linear.operatorNorm(), 1 / (0.05 * widest));
-  const RadialBasisOptions uncut{.smallest_singular = 1e-12, .same_example = 1e-6};
-  EXPECT_GE(fit_radial_basis(p, uncut).linear.operatorNorm(), 1e3);
+  const RadialBasisOptions uncut{.smallest_singular = 1e-4, .same_example = 1e-6};
+  EXPECT_GE(fit_radial_basis(p, uncut).linear.operatorNorm(), 100);
 }
 
 TEST(RawWeights, AreNegativeAboutAsOftenAsTheMethodSays) {

@@ -1,0 +1,85 @@
+#include "analysis/map_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace promenade::analysis {
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix2Xd;
+using Eigen::Vector2d;
+
+// Eight directions, the most pleasant to read first.
+constexpr std::array<std::array<double, 2>, 8> places = {
+    {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
+
+struct Rectangle {
+  Vector2d middle, half;
+};
+
+double shared_area(const Rectangle& a, const Rectangle& b) {
+  const Vector2d overlap = a.half + b.half - (a.middle - b.middle).cwiseAbs();
+  return overlap.minCoeff() <= 0 ? 0 : overlap.x() * overlap.y();
+}
+
+double cross(const Vector2d& o, const Vector2d& a, const Vector2d& b) {
+  return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
+}
+
+// One half of the hull: turns left at every corner.
+std::vector<int> half_hull(const Matrix2Xd& points, const std::vector<int>& order) {
+  std::vector<int> hull;
+  for (const int next : order) {
+    while (hull.size() >= 2 && cross(points.col(hull[hull.size() - 2]), points.col(hull.back()),
+                                     points.col(next)) <= 0) {
+      hull.pop_back();
+    }
+    hull.push_back(next);
+  }
+  hull.pop_back();  // the other half begins with it
+  return hull;
+}
+
+}  // namespace
+
+std::vector<LabelSpot> place_labels(const Matrix2Xd& dots, const std::vector<double>& widths,
+                                    double height, double radius) {
+  std::vector<Rectangle> taken;
+  for (const auto& dot : dots.colwise()) {
+    taken.push_back({dot, Vector2d::Constant(radius)});
+  }
+  std::vector<LabelSpot> spots;
+  for (Index i = 0; i < dots.cols(); ++i) {
+    const Vector2d half(0.5 * widths[static_cast<std::size_t>(i)], 0.5 * height);
+    Rectangle best{dots.col(i), half};
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [x, y] : places) {
+      const Vector2d away = Vector2d(x, y).cwiseProduct(half + Vector2d::Constant(1.7 * radius));
+      const Rectangle label{dots.col(i) + away, half};
+      double covered = 0;
+      for (const Rectangle& other : taken) covered += shared_area(label, other);
+      if (covered >= least) continue;
+      least = covered;
+      best = label;
+    }
+    taken.push_back(best);
+    spots.push_back({best.middle});
+  }
+  return spots;
+}
+
+std::vector<int> convex_hull(const Matrix2Xd& points, std::vector<int> columns) {
+  if (columns.size() < 3) return columns;
+  std::sort(columns.begin(), columns.end(), [&points](int a, int b) {
+    return points(0, a) != points(0, b) ? points(0, a) < points(0, b) : points(1, a) < points(1, b);
+  });
+  std::vector<int> hull = half_hull(points, columns);
+  std::reverse(columns.begin(), columns.end());
+  const std::vector<int> upper = half_hull(points, columns);
+  hull.insert(hull.end(), upper.begin(), upper.end());
+  return hull;
+}
+
+}  // namespace promenade::analysis

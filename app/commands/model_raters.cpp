@@ -1,0 +1,46 @@
+// `promenade model raters`: what simulated raters say about a built-in set.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands/model_parts.h"
+#include "app/print.h"
+#include "motion/files.h"
+#include "study/simulated_raters.h"
+
+namespace promenade::app {
+namespace {
+
+struct Arguments {
+  std::string set, out;
+  study::RaterOptions options;
+};
+
+void write(const Arguments& given) {
+  constexpr std::string_view prefix = "builtin:";
+  const bool prefixed = given.set.rfind(prefix, 0) == 0;
+  const std::string name = prefixed ? given.set.substr(prefix.size()) : given.set;
+  const auto table = study::simulated_ratings(name, given.options);
+  if (!table) {
+    throw InputError(given.set,
+                     "is no built-in set; simulated raters only know how those were made. People "
+                     "must rate this one, or `model adjectives ... --predict` guesses");
+  }
+  if (given.out.empty()) return print_text(study::ratings_csv(*table));
+  write_file(given.out, study::ratings_csv(*table));
+}
+
+}  // namespace
+
+void add_model_raters(CLI::App& model) {
+  auto* command = model.add_subcommand(
+      "raters", "Ratings of a built-in set by simulated raters, as CSV rater,motion,pair,value");
+  const auto given = std::make_shared<Arguments>();
+  command->add_option("set", given->set, "builtin:A, or another built-in set")->required();
+  command->add_option("--seed", given->options.seed, "The same seed, the same ratings");
+  command->add_option("--raters", given->options.raters, "How many, 1 to 10000")
+      ->check(CLI::Range(1, 10000));
+  command->add_option("--out", given->out, "The file to write; stdout without it");
+  command->callback([given] { write(*given); });
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,55 @@
+#include "study/adjective_model.h"
+
+#include "motion/models/cluster_names.h"
+#include "study/simulated_raters.h"
+
+namespace promenade::study {
+namespace {
+
+// Of each cluster the pair nearest to its mean.
+std::vector<std::string> middle_pairs(const AdjectiveModel& model) {
+  const motion::Quantification& q = model.quantification;
+  std::vector<std::string> middle(static_cast<std::size_t>(q.primary.rows()));
+  std::vector<double> least(middle.size(), INFINITY);
+  for (std::size_t i = 0; i < q.cluster.size(); ++i) {
+    const auto c = static_cast<std::size_t>(q.cluster[i]);
+    const auto row = static_cast<Eigen::Index>(i);
+    const double away = (q.scaled.row(row) - q.primary.row(q.cluster[i])).norm();
+    if (away >= least[c]) continue;
+    least[c] = away;
+    middle[c] = model.kept_pairs[i];
+  }
+  return middle;
+}
+
+}  // namespace
+
+AdjectiveModel make_adjective_model(RatingsTable table, const std::string& source,
+                                    const motion::QuantificationOptions& options) {
+  AdjectiveModel model;
+  model.options = options;
+  model.source = source;
+  model.quantification = motion::quantify(table.ratings, static_cast<int>(table.pairs.size()),
+                                          static_cast<int>(table.motions.size()), options);
+  for (const int pair : model.quantification.kept) {
+    model.kept_pairs.push_back(table.pairs[static_cast<std::size_t>(pair)]);
+  }
+  for (const motion::ClusterName& name :
+       motion::name_clusters(motion::printed_clusters(model.kept_pairs),
+                             model.quantification.cluster, middle_pairs(model))) {
+    model.names.push_back(name.name);
+    model.name_agreement.push_back(name.agreement);
+  }
+  model.table = std::move(table);
+  return model;
+}
+
+std::optional<AdjectiveModel> builtin_adjective_model(
+    const std::string& set, const motion::QuantificationOptions& options) {
+  const RaterOptions raters;
+  auto table = simulated_ratings(set, raters);
+  if (!table) return std::nullopt;
+  return make_adjective_model(std::move(*table), describe(raters), options);
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,102 @@
+#include "study/reach_models.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "study/rng.h"
+
+namespace promenade::study {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr motion::SearchOptions search_options{
+    .first_step = 0.15, .smallest_step = 1e-3, .evaluations = 600};
+
+motion::DistancePoints points_of(const motion::PoseBank& bank, const VectorXd& weights,
+                                 DistanceTimes times) {
+  motion::PoseBlend blend = motion::make_pose_blend(bank);
+  motion::set_weights(bank, weights, blend);
+  motion::DistancePoints points;
+  motion::distance_points(bank, blend, points, times);
+  return points;
+}
+
+std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
+  constexpr std::string_view prefix = "builtin:";
+  const std::string& set = bundle.study.set;
+  if (set.rfind(prefix, 0) != 0) return std::nullopt;
+  return builtin_adjective_model(set.substr(prefix.size()));
+}
+
+std::vector<std::string> names_of(const motion::MotionSet& set) {
+  std::vector<std::string> names;
+  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle.name);
+  return names;
+}
+
+// The sliders of the adjectives, or why there are none.
+void add_adjectives(const motion::MotionSet& set, ReachModels& models) {
+  const auto& model = models.adjectives;
+  const auto refuse = [&](const char* reason) { models.missing.push_back({"adjectives", reason}); };
+  if (!model) return refuse("nobody has rated the motions of this set");
+  if (model->table.motions != names_of(set)) return refuse("the ratings are of other motions");
+  const Eigen::MatrixXd& primary = model->quantification.primary;
+  if (primary.rows() == 0) return refuse("the raters agree on no pair of adjectives");
+  models.maps.push_back(motion::slider_controls("adjectives", model->names, primary));
+}
+
+void add_features(const motion::MotionSet& set, ReachModels& models) {
+  if (set.size() < 2) return models.missing.push_back({"features", "the set has one cycle"});
+  const motion::FeatureSliders sliders = motion::feature_sliders(set);
+  models.maps.push_back(motion::slider_controls("features", sliders.names, sliders.parameters));
+}
+
+}  // namespace
+
+ReachModels make_reach_models(const StudyBundle& bundle, std::optional<AdjectiveModel> adjectives) {
+  const motion::MotionSet& set = bundle.space.set;
+  ReachModels models;
+  models.bank = bundle.bank;
+  models.adjectives = adjectives ? std::move(adjectives) : default_adjectives(bundle);
+  add_adjectives(set, models);
+  add_features(set, models);
+  models.maps.push_back(motion::label_controls(set));
+  if (auto map = motion::map_controls(bundle.space)) {
+    models.maps.push_back(std::move(*map));
+  } else {
+    models.missing.push_back({"map", "all cycles of the set are alike"});
+  }
+  models.maps.push_back(motion::weight_controls(set));
+  return models;
+}
+
+const motion::ControlMap* find_map(const ReachModels& models, std::string_view type) {
+  const auto found = std::find_if(models.maps.begin(), models.maps.end(),
+                                  [&](const motion::ControlMap& map) { return map.name == type; });
+  return found == models.maps.end() ? nullptr : &*found;
+}
+
+Reach reach(const ReachModels& models, const motion::ControlMap& map, const Target& target,
+            double threshold_m, DistanceTimes times) {
+  assert(target.weights && "only a target motion can be reached");
+  const motion::DistancePoints wanted = points_of(models.bank, *target.weights, times);
+  Rng rng(1, 0, "reach");
+  const motion::Reach found =
+      motion::reach(models.bank, wanted, motion::problem_of(map, *target.weights),
+                    [&rng] { return rng.uniform(); },
+                    {.threshold_m = threshold_m, .times = times, .search = search_options});
+  Reach result{found.start_m, found.best_m, INFINITY, found.share_below,
+               static_cast<int>(found.random_m.size())};
+  for (int i = 0; i < models.bank.size(); ++i) {
+    const auto example = points_of(models.bank, VectorXd::Unit(models.bank.size(), i), times);
+    result.best_example = std::min(result.best_example, motion::distance(wanted, example).mean_m);
+  }
+  return result;
+}
+
+double judged_threshold(const motion::MotionSpace& space, const Task& task) {
+  return task.threshold_m ? *task.threshold_m : automatic_threshold(space, task);
+}
+
+}  // namespace promenade::study

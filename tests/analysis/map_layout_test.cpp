@@ -1,0 +1,31 @@
+#include "analysis/map_layout.h"
+
+#include <gtest/gtest.h>
+
+namespace promenade::analysis {
+namespace {
+
+TEST(ConvexHull, HasTheCornersOnly) {
+  Eigen::Matrix2Xd points(2, 6);
+  points << 0, 2, 2, 0, 1, 1,  //
+      0, 0, 2, 2, 1, 0;        // the last one lies on an edge
+  EXPECT_EQ(convex_hull(points, {5, 4, 3, 2, 1, 0}), (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(convex_hull(points, {4, 2}), (std::vector<int>{4, 2}));
+}
+
+TEST(Labels, DoNotCoverEachOtherWhereThereIsRoom) {
+  Eigen::Matrix2Xd dots(2, 3);
+  dots << 0, 20, 10,  //
+      0, 0, 15;
+  const std::vector<double> widths = {60, 60, 60};
+  const auto spots = place_labels(dots, widths, 12, 4);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Eigen::Vector2d apart = (spots[i].at - spots[j].at).cwiseAbs();
+      EXPECT_TRUE(apart.x() >= 60 || apart.y() >= 12) << i << " " << j;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace promenade::analysis
