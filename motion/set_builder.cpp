@@ -75,7 +75,8 @@ Take wanted_part(Take take, const TakeSource& source) {
                                "has only " + std::to_string(take.frames()) +
                                    " frames, so none from frame " + std::to_string(from))});
   }
-  return from == 0 && to == last ? take : part(take, from, to);
+  if (from == 0 && to == last) return take;
+  return part(take, from, to);
 }
 
 // One take at a time is in memory as a whole.
