@@ -246,7 +246,7 @@ CycleCandidate given_cycle(const Take& take, std::vector<double> keys) {
   return cycle;
 }
 
-Take unrolled(const Take& take) {
+Take unrolled(Take take) {
   const double seconds = (take.frames() - 1) * take.frame_time;
   if (take.frames() < 3 || seconds > 3 || seconds < 0.5) return take;
   const PoseGap gap = pose_gap(take, 0, take.frames() - 1);

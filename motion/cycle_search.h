@@ -51,6 +51,6 @@ PoseGap pose_gap(const Take& take, double frame, double later);
 
 // A take that is one loop already is repeated, so that cycles which run over its
 // end are found. Others come back as they are.
-Take unrolled(const Take& take);
+Take unrolled(Take take);
 
 }  // namespace promenade::motion

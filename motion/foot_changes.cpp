@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/heel.h"
 #include "motion/rotation.h"
 
 namespace promenade::motion {
@@ -94,9 +93,7 @@ FootTarget target_of(const Walk& walk, int f, Side side, const FootChange& chang
 std::vector<double> lifts(const Walk& walk, Side side, const std::vector<FootTarget>& targets,
                           double floor) {
   const LegJoints leg = leg_joints(side);
-  const StancePhases stance = stance_phases(walk.set, side);
-  const int flat = (stance.on + stance.off) / 2;
-  const Heel heel = find_heel(walk.place(flat, leg.ankle), walk.place(flat, leg.toe));
+  const Heel heel = heel_of(walk, stance_phases(walk.set, side), leg);
   const auto foot = static_cast<std::size_t>(walk.set.body.joint[leg.ankle]);
   std::vector<double> below;
   for (int f = 0; f < walk.phases(); ++f) {

@@ -28,7 +28,11 @@ class Foot {
   Foot(const MotionSet& set, const Cycle& cycle, Side side)
       : set_(set), cycle_(cycle), leg_(leg_joints(side)) {
     const StanceTime stance = stance_time(cycle, side);
-    const Body flat = body_over_ground(set, cycle, 0.5 * (stance.on + stance.off));
+    Body flat = body_over_ground(set, cycle, stance.on);
+    for (int k = 1; k <= 40; ++k) {
+      const Body body = body_over_ground(set, cycle, stance.on + (stance.off - stance.on) * k / 40);
+      if (body(1, leg_.ankle) < flat(1, leg_.ankle)) flat = body;
+    }
     heel_ = find_heel(flat.col(leg_.ankle), flat.col(leg_.toe));
   }
 
@@ -45,17 +49,20 @@ class Foot {
   Heel heel_;
 };
 
-// Heights of a toe in the middle half of its stance, metres.
+// Heights of a toe while its foot is flat or leaves, metres. When it lands, the toe is up.
 std::vector<double> standing_toe(const MotionSet& set, const Cycle& cycle, Side side) {
   const StanceTime stance = stance_time(cycle, side);
   std::vector<double> heights;
-  for (int k = 0; k <= 20; ++k) {
-    const double share = 0.25 + 0.5 * k / 20;
+  for (int k = 0; k <= 40; ++k) {
+    const double share = 0.25 + 0.75 * k / 40;
     const Body body = body_over_ground(set, cycle, stance.on + share * (stance.off - stance.on));
     heights.push_back(body(1, leg_joints(side).toe));
   }
   return heights;
 }
+
+// A toe goes down a little when the heel rises; then the foot stands on it.
+constexpr double low_share = 0.1;
 
 }  // namespace
 
@@ -87,14 +94,11 @@ double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side) {
 }
 
 double toe_level(const MotionSet& set, const Cycle& cycle, Side side) {
-  return quantile(standing_toe(set, cycle, side), 0.5);
+  return quantile(standing_toe(set, cycle, side), low_share);
 }
 
 double toe_level(const MotionSet& set, const Cycle& cycle) {
-  std::vector<double> heights = standing_toe(set, cycle, Side::left);
-  const std::vector<double> right = standing_toe(set, cycle, Side::right);
-  heights.insert(heights.end(), right.begin(), right.end());
-  return quantile(heights, 0.5);
+  return 0.5 * (toe_level(set, cycle, Side::left) + toe_level(set, cycle, Side::right));
 }
 
 double penetration_m(const MotionSet& set, const Cycle& cycle) {

@@ -27,8 +27,8 @@ PlantReport plant_feet(const MotionSet& set, Cycle& cycle);
 // path of the one of heel, ankle and toe that moves least, step by step, metres.
 double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side);
 
-// The height of standing toes, the median over both feet, metres: the floor is as far below
-// as soles are thick.
+// The height at which toes stand when they are lowest (in a tenth of their stance; the mean of
+// both feet), metres: the floor is as far below as soles are thick.
 double toe_level(const MotionSet& set, const Cycle& cycle);
 double toe_level(const MotionSet& set, const Cycle& cycle, Side side);  // of one foot
 

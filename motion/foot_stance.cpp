@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/heel.h"
-
 namespace promenade::motion {
 namespace {
 
@@ -35,10 +33,17 @@ Walk make_walk(const MotionSet& set, const Cycle& cycle) {
   return walk;
 }
 
+Heel heel_of(const Walk& walk, const StancePhases& stance, const LegJoints& leg) {
+  int flat = stance.on;
+  for (int f = stance.on; f <= stance.off; ++f) {
+    if (walk.place(f, leg.ankle).y() < walk.place(flat, leg.ankle).y()) flat = f;
+  }
+  return find_heel(walk.place(flat, leg.ankle), walk.place(flat, leg.toe));
+}
+
 std::vector<FootStep> foot_steps(const Walk& walk, const StancePhases& stance,
                                  const LegJoints& leg) {
-  const int flat = (stance.on + stance.off) / 2;
-  const Heel heel = find_heel(walk.place(flat, leg.ankle), walk.place(flat, leg.toe));
+  const Heel heel = heel_of(walk, stance, leg);
   const auto ground = [&](int f) {
     const Vector3d ankle = walk.place(f, leg.ankle), toe = walk.place(f, leg.toe);
     Eigen::Matrix<double, 2, 3> points;

@@ -2,6 +2,7 @@
 // Used by foot_changes and foot_plant only.
 #pragma once
 
+#include "motion/heel.h"
 #include "motion/leg_ik.h"
 #include "motion/motion_set.h"
 
@@ -35,6 +36,10 @@ struct Walk {
 };
 
 Walk make_walk(const MotionSet& set, const Cycle& cycle);
+
+// The heel of a foot, as it is at the phase of its stance where it is flattest: where the
+// ankle is lowest.
+Heel heel_of(const Walk& walk, const StancePhases& stance, const LegJoints& leg);
 
 // One step of a stance, from phase to phase over the ground: left and ahead, metres.
 struct FootStep {

@@ -6,6 +6,7 @@
 
 #include "motion/cycle_search.h"
 #include "motion/foot_plant.h"
+#include "motion/load_clip.h"
 
 namespace promenade::motion {
 
@@ -42,6 +43,7 @@ struct TakeSource {
   std::string sha256 = {};              // of the file, for the set's records
   std::optional<int> from = {};         // frames that are used, both included, counted from 0
   std::optional<int> to = {};           // beyond the end: to the end
+  LoadOptions load = {};                // skeleton and frame rate of an .amc
   FigureOptions figure = {};            // where given, instead of the set's
   std::vector<GivenCycle> cycles = {};  // none: they are found
   Place place = {};

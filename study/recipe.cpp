@@ -31,6 +31,20 @@ motion::FigureOptions read_figure(const TomlTable& table) {
   return figure;
 }
 
+// For captures in two files (.asf and .amc), and without a frame rate of their own.
+motion::LoadOptions read_load(const TomlTable& table, const fs::path& folder) {
+  motion::LoadOptions load;
+  load.rate = table.number("frames_per_second", 1, 1000);
+  const auto asf = table.text("asf");
+  if (!asf) return load;
+  load.skeleton = (folder / *asf).lexically_normal();
+  std::error_code error;
+  if (!fs::is_regular_file(load.skeleton, error)) {
+    table.error("asf", "there is no file " + load.skeleton.string());
+  }
+  return load;
+}
+
 // first, keytimes, last of one [[take.cycle]].
 GivenCycle read_cycle(const TomlTable& table) {
   GivenCycle cycle;
@@ -73,6 +87,7 @@ void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
   const auto style = table.text("style");
   TakeSource own;
   own.figure = read_figure(table);
+  own.load = read_load(table, folder);
   read_frames(table, own);
   for (const TomlTable& cycle : table.tables("cycle")) own.cycles.push_back(read_cycle(cycle));
   if (file.empty()) return;
@@ -140,6 +155,11 @@ void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
   if (files || tables.empty()) find_takes(root, folder, pattern, recipe);
   std::vector<std::string> named;
   for (const TomlTable& table : tables) read_take(table, folder, recipe, named);
+  const motion::LoadOptions load = read_load(root, folder);
+  for (TakeSource& take : recipe.takes) {
+    if (take.load.skeleton.empty()) take.load.skeleton = load.skeleton;
+    if (!take.load.rate) take.load.rate = load.rate;
+  }
   if (const auto cuts = root.table("cuts")) apply_cuts(*cuts, folder, recipe.takes);
   std::sort(recipe.takes.begin(), recipe.takes.end(),
             [](const TakeSource& a, const TakeSource& b) { return a.label < b.label; });
@@ -235,9 +255,10 @@ Recipe load_recipe(const std::string& file, const std::string& folder) {
   return recipe;
 }
 
-void hash_takes(Recipe& recipe) {
+void hash_takes(Recipe& recipe, const std::function<void()>& progress) {
   std::vector<Problem> problems;
   for (TakeSource& take : recipe.takes) {
+    if (progress) progress();
     try {
       take.sha256 = sha256_hex(read_file(take.file));
     } catch (const InputError& error) {

@@ -27,7 +27,8 @@ struct Recipe {
 // problems and their places.
 Recipe load_recipe(const std::string& file, const std::string& folder = {});
 
-// Fills in the SHA-256 of every take's file. Throws InputError with all that cannot be read.
-void hash_takes(Recipe& recipe);
+// Fills in the SHA-256 of every take's file; `progress` is called before each. Throws
+// InputError with all that cannot be read.
+void hash_takes(Recipe& recipe, const std::function<void()>& progress = {});
 
 }  // namespace promenade::study

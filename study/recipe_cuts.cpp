@@ -29,7 +29,8 @@ std::size_t find_column(const TomlTable& cuts, std::string_view key, const CsvRo
   const std::string name = cuts.required_text(key);
   const auto found = std::find(head.cells.begin(), head.cells.end(), name);
   if (found == head.cells.end()) {
-    if (!name.empty()) cuts.error(key, file + " has no column \"" + name + "\"");
+    if (!name.empty() && !head.cells.empty())
+      cuts.error(key, file + " has no column \"" + name + "\"");
     ok = false;
   }
   return static_cast<std::size_t>(found - head.cells.begin());
@@ -52,12 +53,13 @@ void apply_row(const CsvRow& row, const Columns& columns, const std::string& fil
 
 void apply_cuts(const TomlTable& cuts, const std::filesystem::path& folder,
                 std::vector<motion::TakeSource>& takes) {
-  const std::string file = (folder / cuts.required_text("file")).lexically_normal().string();
+  const std::string name = cuts.required_text("file");
+  const std::string file = (folder / name).lexically_normal().string();
   std::vector<CsvRow> rows;
   try {
-    rows = parse_csv(read_file(file));
-  } catch (const InputError& error) {
-    cuts.reader().add(error.problems());
+    if (!name.empty()) rows = parse_csv(read_file(file));
+  } catch (const InputError&) {
+    cuts.error("file", "there is no file " + file);
   }
   const CsvRow head = rows.empty() ? CsvRow{} : rows.front();
   bool ok = true;

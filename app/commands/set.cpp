@@ -56,17 +56,29 @@ void write_pictures(const motion::BuiltSet& built, const std::string& folder) {
   std::fprintf(stderr, "%d pictures written to %s\n", built.set.size(), folder.c_str());
 }
 
+// Counts what is done, and ends it when somebody wants that.
+class Steps {
+ public:
+  Steps(std::string what, std::size_t count)
+      : what_(std::move(what)), count_(static_cast<int>(count)) {}
+  void next() {
+    if (interrupted()) throw OutsideError("stopped before the set was built; nothing is written");
+    show_progress(what_, ++done_, count_);
+  }
+
+ private:
+  std::string what_;
+  int count_, done_ = 0;
+};
+
 void build(const BuildArguments& given) {
   study::Recipe recipe = study::load_recipe(given.recipe, given.folder);
-  study::hash_takes(recipe);
+  Steps hashing("checksum of take", recipe.takes.size());
+  study::hash_takes(recipe, [&] { hashing.next(); });
   recipe.options.keep_takes = !given.pictures.empty();
-  const int count = static_cast<int>(recipe.takes.size());
+  Steps reading("reading take", recipe.takes.size());
   const motion::BuiltSet built = motion::build_set(
-      recipe.takes, recipe.options, [count, done = 0](const motion::TakeSource&) mutable {
-        if (interrupted())
-          throw OutsideError("stopped before the set was built; nothing is written");
-        show_progress("reading take", ++done, count);
-      });
+      recipe.takes, recipe.options, [&](const motion::TakeSource&) { reading.next(); });
   print_problems(built.warnings);
   write_file(given.out, motion::to_bytes(built.set));
   if (!given.pictures.empty()) write_pictures(built, given.pictures);

@@ -129,6 +129,53 @@ TEST_F(Captures, OfOneTakeAgreeAsAmcAndAsBvh) {
   }
 }
 
+// Trials of the CMU database that are there: 07_01-walk.bvh is one of subject 07.
+std::vector<TakeSource> trials(const std::vector<std::string>& names) {
+  std::vector<TakeSource> takes;
+  for (const std::string& name : names) {
+    const fs::path file = data_folder() / "cmu" / name;
+    if (fs::exists(file)) takes.push_back({file.string(), name, name.substr(0, 6)});
+  }
+  return takes;
+}
+
+void expect_clean(const BuiltSet& built) {
+  for (const CycleReport& report : built.reports) {
+    EXPECT_EQ(report.refusal, "") << report.file;
+    EXPECT_LT(std::max(report.slide_left_m, report.slide_right_m), 0.008) << report.cycle;
+    EXPECT_LT(report.seam.gap_m, report.seam.inside_m) << report.cycle;
+  }
+  for (const Cycle& cycle : built.set.cycles) {
+    EXPECT_LT(penetration_m(built.set, cycle), 0.005) << cycle.name;
+    EXPECT_LT(std::abs(cycle.origin.turn), 0.2) << cycle.name;
+  }
+}
+
+TEST_F(Captures, OfSeveralPeopleBecomeOneSet) {
+  const auto takes = trials({"02_01-walk.bvh", "07_01-walk.bvh", "142_08-walk_happy.bvh"});
+  if (takes.empty()) GTEST_SKIP() << "There are no captures of CMU.";
+  const BuiltSet built = build_set(takes, {});
+  EXPECT_EQ(built.set.size(), static_cast<int>(takes.size()));
+  expect_clean(built);
+}
+
+TEST_F(Captures, InTwoFilesBecomeASet) {
+  const auto takes = trials({"16_15.amc", "16_32.amc"});
+  if (takes.empty()) GTEST_SKIP() << "There are no captures in AMC files.";
+  const BuiltSet built = build_set(takes, {});
+  EXPECT_EQ(built.set.size(), static_cast<int>(takes.size()));
+  expect_clean(built);
+}
+
+TEST_F(Captures, ThatWalkInCurvesGiveTheirStraightCycles) {
+  const fs::path file = data_folder() / "100style" / "angry_reference.bvh";
+  if (!fs::exists(file)) GTEST_SKIP() << "There is no capture " << file << ".";
+  const BuiltSet built = build_set({{file.string(), "angry.bvh", "angry"}}, {});
+  ASSERT_EQ(built.set.size(), 1);
+  EXPECT_GE(built.set.cycles[0].origin.cycles_found, 10);
+  expect_clean(built);
+}
+
 TEST_F(Captures, OfOtherThingsThanWalkingAreRefused) {
   const fs::path jumps = data_folder() / "cmu" / "01_01.bvh";
   if (!fs::exists(jumps)) GTEST_SKIP() << "There is no capture " << jumps << ".";

@@ -120,6 +120,9 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
        "[[take.cycle]]\nfirst = 1\nlast = 9\n",
        "r.toml:5:14: error: must ascend from 0 to 1\n"
        "r.toml:8:1: error: the cycle needs 2 keytimes between first and last as the others have"},
+      {"[[take]]\nfile = 'a.bvh'\nasf = 'a.asf'\nframes_per_second = 0\n",
+       "r.toml:6:7: error: there is no file full/a.asf\n"
+       "r.toml:7:21: error: \"frames_per_second\" is 0, but must be from 1 to 1000"},
       {"skeleton = 'b.bvh'\n", "r.toml:4:12: error: is not one of the files that the recipe uses"},
       {"without = ['a.bvh']\n", "r.toml:3:10: error: no file in full fits \"*.bvh\""},
   };
@@ -129,6 +132,8 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
 TEST(Recipe, NamesWhatIsWrongWithATableOfCuts) {
   const std::string good = "[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'A'\nto = 'B'\n";
   EXPECT_EQ(problems_with_takes(good), "");
+  EXPECT_EQ(problems_with_takes("[cuts]\nfile = 'no.csv'\nstyle = 'S'\nfrom = 'A'\nto = 'B'\n"),
+            "r.toml:5:8: error: there is no file full/no.csv");
   EXPECT_EQ(problems_with_takes("[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'C'\nto = 'B'\n"),
             "r.toml:7:8: error: full/cuts.csv has no column \"C\"");
   EXPECT_EQ(problems_with_takes("[[take]]\nfile = 'a.bvh'\nstyle = 'b'\n" + good),
