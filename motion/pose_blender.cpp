@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/pose_kernel.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -11,104 +13,22 @@ using Eigen::Index;
 using Eigen::Quaterniond;
 using Eigen::VectorXd;
 
-// cos(sqrt t) and sin(sqrt t)/sqrt t as series in t: no root, no branch, so that the
-// compiler makes vectors of them. The remainder of `terms` terms is below 1e-16 for
-// t up to `reach`.
-struct SeriesSize {
-  double reach;
-  int terms;
-};
-constexpr SeriesSize series_sizes[] = {{0.06, 6}, {0.3, 8}, {2.6, 13}};
-
-template <int terms>
-void series_exponential(Index lanes, const double* offset, double* rotation) {
-  double cosine[terms];
-  double sine[terms];
-  cosine[0] = 1;
-  for (int n = 1; n < terms; ++n) cosine[n] = -cosine[n - 1] / (2 * n * (2 * n - 1));
-  for (int n = 0; n < terms; ++n) sine[n] = cosine[n] / (2 * n + 1);
-  for (Index j = 0; j < lanes; ++j) {
-    const double x = 0.5 * offset[j];
-    const double y = 0.5 * offset[lanes + j];
-    const double z = 0.5 * offset[2 * lanes + j];
-    const double t = x * x + y * y + z * z;
-    double c = cosine[terms - 1];
-    double s = sine[terms - 1];
-    for (int n = terms - 2; n >= 0; --n) {
-      c = c * t + cosine[n];
-      s = s * t + sine[n];
-    }
-    rotation[j] = s * x;
-    rotation[lanes + j] = s * y;
-    rotation[2 * lanes + j] = s * z;
-    rotation[3 * lanes + j] = c;
-  }
-}
-
-void exact_exponential(Index lanes, const double* offset, double* rotation) {
-  for (Index j = 0; j < lanes; ++j) {
-    const Eigen::Vector3d half(0.5 * offset[j], 0.5 * offset[lanes + j],
-                               0.5 * offset[2 * lanes + j]);
-    const double angle = half.norm();
-    const double scale = angle > 1e-12 ? std::sin(angle) / angle : 1;
-    for (int a = 0; a < 3; ++a) rotation[a * lanes + j] = scale * half(a);
-    rotation[3 * lanes + j] = std::cos(angle);
-  }
-}
-
-// Unit quaternions (lanes x 4) of rotation vectors (3 lanes).
-void exponential(Index lanes, const double* offset, double* rotation) {
-  using Lanes = Eigen::Map<const Eigen::ArrayXd>;
-  const double largest = (Lanes(offset, lanes).square() + Lanes(offset + lanes, lanes).square() +
-                          Lanes(offset + 2 * lanes, lanes).square())
-                             .maxCoeff();
-  const double t = 0.25 * largest;
-  if (t <= series_sizes[0].reach)
-    return series_exponential<series_sizes[0].terms>(lanes, offset, rotation);
-  if (t <= series_sizes[1].reach)
-    return series_exponential<series_sizes[1].terms>(lanes, offset, rotation);
-  if (t <= series_sizes[2].reach)
-    return series_exponential<series_sizes[2].terms>(lanes, offset, rotation);
-  exact_exponential(lanes, offset, rotation);
-}
-
-// r = q r for each lane.
-void turn_by(Index lanes, const double* q, double* r) {
-  for (Index j = 0; j < lanes; ++j) {
-    const double ax = q[j], ay = q[lanes + j], az = q[2 * lanes + j], aw = q[3 * lanes + j];
-    const double bx = r[j], by = r[lanes + j], bz = r[2 * lanes + j], bw = r[3 * lanes + j];
-    r[j] = aw * bx + ax * bw + ay * bz - az * by;
-    r[lanes + j] = aw * by + ay * bw + az * bx - ax * bz;
-    r[2 * lanes + j] = aw * bz + az * bw + ax * by - ay * bx;
-    r[3 * lanes + j] = aw * bw - ax * bx - ay * by - az * bz;
-  }
-}
-
-constexpr int block_rows = 16;
-
-using Block = Eigen::Matrix<double, block_rows, 1>;  // fits the registers of any x86-64
+constexpr int block_rows = rows_of_a_block;
 
 constexpr int rounded_up(int size, int step) { return (size + step - 1) / step * step; }
-
-// Sums of columns, laid out as PoseBank::offsets.
-void mix(Index rows, const VectorXd& weights, const double* offsets, double* result) {
-  for (Index row = 0; row < rows; row += block_rows) {
-    Block sum = Block::Zero();
-    for (Index i = 0; i < weights.size(); ++i, offsets += block_rows) {
-      sum += weights(i) * Eigen::Map<const Block, Eigen::Aligned16>(offsets);
-    }
-    Eigen::Map<Block, Eigen::Aligned16>(result + row) = sum;
-  }
-}
 
 // The rotations of a phase, lanes x 4.
 const double* blended_phase(const PoseBank& bank, int phase, PoseBlend& blend) {
   double* const result = blend.phases.col(4 * phase).data();
   if (blend.made(phase)) return result;
   blend.made(phase) = true;
-  mix(bank.rows, blend.weights, bank.offsets.col(phase).data(), blend.offsets.data());
-  exponential(bank.lanes, blend.offsets.data(), result);
-  turn_by(bank.lanes, bank.average.col(4 * phase).data(), result);
+  blend_rotations({.lanes = bank.lanes,
+                   .rows = bank.rows,
+                   .cycles = bank.size(),
+                   .weights = blend.weights.data(),
+                   .offsets = bank.offsets.col(phase).data(),
+                   .average = bank.average.col(4 * phase).data()},
+                  blend.offsets.data(), result);
   return result;
 }
 

@@ -52,7 +52,7 @@ Found read_answers(Database& database, const RatingSelection& selection) {
     if (!(value >= -most && value <= most)) {
       found.problems.push_back(
           {database.file(), 0, 0,
-           fmt::format("the answer {} to \"{}\" about \"{}\" is not from -2 to 2", value, pair,
+           fmt::format(R"(the answer {} to "{}" about "{}" is not from -2 to 2)", value, pair,
                        row.text(1)),
            Severity::error});
     }

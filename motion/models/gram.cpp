@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "motion/wide.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -10,11 +12,6 @@ using Eigen::MatrixXd;
 
 constexpr Index padding = 16;     // columns: a multiple of every tile's height
 constexpr Index block_rows = 64;  // of 64 columns: what the first cache holds
-
-template <int bytes>
-struct Packed {
-  using Numbers [[gnu::vector_size(bytes), gnu::aligned(8), gnu::may_alias]] = double;
-};
 
 // Adds the products of `rows` rows to the lower triangle of `gram`. Row r of the block is at
 // part + r stride; the gram has stride x stride entries. Tiles of four columns stay in
@@ -45,26 +42,18 @@ template <int bytes>
   }
 }
 
-void add_products_anywhere(Index stride, Index rows, const double* part, double* gram) {
-  add_products<16>(stride, rows, part, gram);
+void add_products_narrow(Index stride, Index rows, const double* part, double* gram) {
+  add_products<narrow_bytes>(stride, rows, part, gram);
 }
 
-#if defined(__x86_64__)
-[[gnu::target("avx2")]] void add_products_avx2(Index stride, Index rows, const double* part,
-                                               double* gram) {
-  add_products<32>(stride, rows, part, gram);
+PROMENADE_WIDE void add_products_wide(Index stride, Index rows, const double* part, double* gram) {
+  add_products<wide_bytes>(stride, rows, part, gram);
 }
-auto choose_add_products() {
-  return __builtin_cpu_supports("avx2") ? add_products_avx2 : add_products_anywhere;
-}
-#else
-auto choose_add_products() { return add_products_anywhere; }
-#endif
 
 }  // namespace
 
 MatrixXd centred_gram(const Eigen::Ref<const MatrixXd>& x) {
-  const auto add = choose_add_products();
+  const auto add = has_wide() ? add_products_wide : add_products_narrow;
   const Index n = x.cols();
   const Index stride = (n + padding - 1) / padding * padding;
   MatrixXd gram = MatrixXd::Zero(stride, stride);

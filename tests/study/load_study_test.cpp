@@ -182,6 +182,17 @@ TEST(LoadStudy, RefusesATargetThatIsWonAtTheStart) {
   EXPECT_NE(said.find("toy.toml:14:13: error: target \"side\" is won"), std::string::npos);
 }
 
+TEST(LoadStudy, ReadsWhenDComparesTheWalks) {
+  using motion::DistanceTimes;
+  EXPECT_EQ(toy::bundle().study.tasks[0].distance, DistanceTimes::time);
+  const std::string text = changed("kind = \"match\"", "kind = \"match\"\ndistance = \"phase\"");
+  const StudyBundle bundle = toy::bundle(text);
+  EXPECT_EQ(bundle.study.tasks[0].distance, DistanceTimes::phase);
+  EXPECT_DOUBLE_EQ(*bundle.study.tasks[0].threshold_m,
+                   automatic_threshold(bundle.space, bundle.study.tasks[0]));
+  EXPECT_NE(problems_of(changed("kind = \"match\"", "kind = \"match\"\ndistance = \"mean\"")), "");
+}
+
 TEST(LoadStudy, RefusesTheAverageAsATargetOfAnAutomaticThreshold) {
   const std::string average =
       "{ name = 'all', weights = { near = 0.3333333, side = 0.3333333, far = 0.3333334 } }";
