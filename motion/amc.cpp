@@ -127,7 +127,7 @@ class FrameReader {
     const std::size_t name_at = in_.word_position();
     const std::size_t wanted = channels(joint).size();
     const int row = skeleton_.channels[static_cast<std::size_t>(joint)].first_row;
-    const bool fits = frames_ <= room_;
+    const bool fits = frames_ <= room_ && wanted > 0;
     double* const out = fits ? &values_(row, static_cast<Eigen::Index>(frames_) - 1) : nullptr;
     std::size_t found = in_.take_numbers(out, wanted);
     for (; !in_.at_line_end() && !in_.full(); ++found) {
