@@ -15,6 +15,8 @@ using Eigen::Vector2d;
 constexpr std::array<std::array<double, 2>, 8> places = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
 
+constexpr double rounding = 1e-6;  // square pixels
+
 struct Rectangle {
   Vector2d middle, half;
 };
@@ -66,7 +68,7 @@ std::vector<LabelSpot> place_labels(const Matrix2Xd& dots, const std::vector<dou
         const Rectangle label{dots.col(i) + away, half};
         double cost = 2 * (area(label) - shared_area(label, inside));
         for (const Rectangle& other : taken) cost += shared_area(label, other);
-        if (cost >= least) continue;
+        if (cost > least - rounding) continue;  // of equal places the first
         least = cost;
         best = label;
       }
