@@ -76,7 +76,7 @@ class Builder {
     person_of_session_.assign(log.sessions.size(), -1);
     int simulated = 0;
     for (const Person& person : selection.people) {
-      if (person.fate != Fate::analysed) continue;
+      if (person.disposition != Disposition::analysed) continue;
       item(person_of_session_, person.session) = size_of(data_.people);
       data_.people.push_back(person.code);
       simulated += person.simulated ? 1 : 0;
@@ -123,7 +123,8 @@ class Builder {
     data_.interfaces = in_order(interfaces, outline_.interfaces);
     task_names_ = in_order(tasks, outline_.tasks);
     for (const std::string& name : task_names_) {
-      data_.tasks.push_back({name, in_order(targets[name], {}), common(name, &LoggedTrial::limit_s),
+      data_.tasks.push_back({name, in_order(targets[name], outline_.targets),
+                             common(name, &LoggedTrial::limit_s),
                              common(name, &LoggedTrial::threshold_m)});
     }
   }

@@ -50,8 +50,8 @@ struct Dataset {
   int measure(std::string_view name) const;  // index; -1: none
 };
 
-// Interfaces and tasks stand in the order of the study file; those that it does
-// not name follow in natural order, as targets do. Trials of people whose fate is
+// Interfaces, tasks and targets stand in the order of the study file; those that it
+// does not name follow in natural order. Trials of people whose disposition is
 // not `analysed` are not in it.
 Dataset make_dataset(const Log& log, const Selection& selection);
 

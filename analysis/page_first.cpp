@@ -269,15 +269,17 @@ Html flow_bar(const Selection& selection) {
   Html bar;
   Html legend =
       element("li", count_of(size_of(selection.people), "participant", "participants") + " began");
-  for (const Fate fate :
-       {Fate::declined, Fate::withdrawn, Fate::unfinished, Fate::excluded, Fate::analysed}) {
-    const int count = selection.count(fate);
+  for (const Disposition disposition :
+       {Disposition::declined, Disposition::withdrawn, Disposition::unfinished,
+        Disposition::excluded, Disposition::analysed}) {
+    const int count = selection.count(disposition);
     if (count > 0) {
-      bar += element("span", {{"class", to_text(fate)}, {"style", fmt::format("flex: {}", count)}},
+      bar += element("span",
+                     {{"class", to_text(disposition)}, {"style", fmt::format("flex: {}", count)}},
                      text(std::to_string(count)));
     }
-    legend += element("li", element("i", {{"class", to_text(fate)}}, {}) +
-                                text(fmt::format("{} {}", count, to_text(fate))));
+    legend += element("li", element("i", {{"class", to_text(disposition)}}, {}) +
+                                text(fmt::format("{} {}", count, to_text(disposition))));
   }
   if (selection.left_out_simulated > 0) {
     legend += element(

@@ -85,9 +85,10 @@ Json files_json(const Log& log) {
 
 Json participants_json(const Selection& selection) {
   Json counts = {{"began", selection.people.size()}};
-  for (const Fate fate :
-       {Fate::declined, Fate::withdrawn, Fate::unfinished, Fate::excluded, Fate::analysed}) {
-    counts[to_text(fate)] = selection.count(fate);
+  for (const Disposition disposition :
+       {Disposition::declined, Disposition::withdrawn, Disposition::unfinished,
+        Disposition::excluded, Disposition::analysed}) {
+    counts[to_text(disposition)] = selection.count(disposition);
   }
   counts["left_out_simulated"] = selection.left_out_simulated;
   counts["left_out_pilot"] = selection.left_out_pilot;

@@ -21,7 +21,7 @@ std::string nothing_to_report(const Selection& selection) {
         count_of(selection.left_out_pilot, "pilot participant is", "pilot participants are") +
         " left out, add --include-pilot to report them";
   }
-  const int excluded = selection.count(Fate::excluded);
+  const int excluded = selection.count(Disposition::excluded);
   if (excluded > 0) sentence += "; " + count_of(excluded, "person is", "people are") + " excluded";
   return sentence;
 }

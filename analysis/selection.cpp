@@ -45,11 +45,11 @@ std::vector<Group> group_by_person(const Log& log, const SelectionOptions& optio
   return groups;
 }
 
-Fate fate_of(const std::string& outcome) {
-  if (outcome == "finished") return Fate::analysed;
-  if (outcome == "declined") return Fate::declined;
-  if (outcome == "withdrawn") return Fate::withdrawn;
-  return Fate::unfinished;
+Disposition disposition_of(const std::string& outcome) {
+  if (outcome == "finished") return Disposition::analysed;
+  if (outcome == "declined") return Disposition::declined;
+  if (outcome == "withdrawn") return Disposition::withdrawn;
+  return Disposition::unfinished;
 }
 
 // Sessions of people before pilot ones before simulated ones.
@@ -74,11 +74,12 @@ Person person_of(const Log& log, const Group& group) {
     if (rank_of(session) != rank) continue;
     person.simulated = person.simulated || session.simulated;
     person.pilot = person.pilot || session.pilot;
-    if (person.fate == Fate::withdrawn) continue;
-    const Fate fate = fate_of(session.outcome);
-    if (person.fate == Fate::analysed && fate != Fate::withdrawn) continue;
-    person.fate = fate;
-    person.session = fate == Fate::analysed ? index : -1;
+    if (person.disposition == Disposition::withdrawn) continue;
+    const Disposition disposition = disposition_of(session.outcome);
+    if (person.disposition == Disposition::analysed && disposition != Disposition::withdrawn)
+      continue;
+    person.disposition = disposition;
+    person.session = disposition == Disposition::analysed ? index : -1;
   }
   return person;
 }
@@ -106,8 +107,8 @@ void exclude(const Log& log, const std::string& file, Selection& selection) {
   std::vector<Problem> problems;
   for (const Exclusion& exclusion : selection.exclusions) {
     for (Person& person : selection.people) {
-      if (person.code != exclusion.code || person.fate != Fate::analysed) continue;
-      person.fate = Fate::excluded;
+      if (person.code != exclusion.code || person.disposition != Disposition::analysed) continue;
+      person.disposition = Disposition::excluded;
       person.reason = exclusion.reason;
     }
     if (is_known(log, exclusion.code)) continue;
@@ -120,9 +121,9 @@ void exclude(const Log& log, const std::string& file, Selection& selection) {
 
 }  // namespace
 
-int Selection::count(Fate fate) const {
-  return static_cast<int>(
-      std::count_if(people.begin(), people.end(), [&](const Person& p) { return p.fate == fate; }));
+int Selection::count(Disposition disposition) const {
+  return static_cast<int>(std::count_if(
+      people.begin(), people.end(), [&](const Person& p) { return p.disposition == disposition; }));
 }
 
 bool Selection::any_simulated() const {

@@ -1,5 +1,5 @@
 // Who counts: from all sessions of a log to the people of the report, each with
-// one fate, so that the flow of participants adds up.
+// one disposition, so that the flow of participants adds up.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ struct SelectionOptions {
 };
 
 // In the order in which the flow shows them.
-enum class Fate { declined, withdrawn, unfinished, excluded, analysed };
+enum class Disposition { declined, withdrawn, unfinished, excluded, analysed };
 
 struct Person {
   std::string code;  // made unique where two people of different files share one
-  Fate fate = Fate::unfinished;
+  Disposition disposition = Disposition::unfinished;
   int session = -1;  // the one analysed, index into Log::sessions
   bool simulated = false, pilot = false;
   std::string reason;  // of who is excluded; may be empty
@@ -34,7 +34,7 @@ struct Selection {
   int left_out_pilot = 0;
   std::vector<std::string> shared_codes;  // codes of more than one person
 
-  int count(Fate fate) const;
+  int count(Disposition disposition) const;
   bool any_simulated() const;
   bool any_pilot() const;
 };

@@ -159,7 +159,7 @@ std::vector<Spotlight> spotlights(const Results& results) {
 std::vector<std::string> caveats(const Results& results) {
   std::vector<std::string> sentences;
   const Selection& selection = results.selection;
-  const int n = selection.count(Fate::analysed);
+  const int n = selection.count(Disposition::analysed);
   if (n == 1) sentences.emplace_back("One person was analysed: nothing here speaks for others.");
   if (n > 1 && n < 6) {
     sentences.push_back(fmt::format(

@@ -105,7 +105,7 @@ Table participant_table(const Results& results) {
               {"participant", "status", "reason", "simulated", "pilot"},
               {}};
   for (const Person& person : results.selection.people) {
-    table.rows.push_back({cell(person.code), cell(to_text(person.fate)), cell(person.reason),
+    table.rows.push_back({cell(person.code), cell(to_text(person.disposition)), cell(person.reason),
                           cell(person.simulated), cell(person.pilot)});
   }
   return table;
@@ -196,17 +196,17 @@ std::string to_text(Pooling pooling) {
   return "";
 }
 
-std::string to_text(Fate fate) {
-  switch (fate) {
-    case Fate::declined:
+std::string to_text(Disposition disposition) {
+  switch (disposition) {
+    case Disposition::declined:
       return "declined";
-    case Fate::withdrawn:
+    case Disposition::withdrawn:
       return "withdrawn";
-    case Fate::unfinished:
+    case Disposition::unfinished:
       return "unfinished";
-    case Fate::excluded:
+    case Disposition::excluded:
       return "excluded";
-    case Fate::analysed:
+    case Disposition::analysed:
       return "analysed";
   }
   return "";

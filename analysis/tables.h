@@ -29,6 +29,6 @@ std::string to_csv(const Table& table);
 
 // "none", "participants", "trials".
 std::string to_text(Pooling pooling);
-std::string to_text(Fate fate);
+std::string to_text(Disposition disposition);
 
 }  // namespace promenade::analysis

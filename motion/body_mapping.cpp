@@ -206,6 +206,11 @@ Figure find_figure(const Clip& clip, const FigureOptions& options) {
              name_of(clip, figure.body.joint[left_hip]));
   }
   find_heading(clip, facing.ahead, figure);
+  figure.t_pose_frames = frames_in_t_pose(clip, figure.body, figure.z_up);
+  figure.gaps = find_gaps(clip);
+  const std::vector<Problem> blemishes =
+      describe_blemishes(clip, figure.t_pose_frames, figure.gaps);
+  figure.notes.insert(figure.notes.end(), blemishes.begin(), blemishes.end());
   return figure;
 }
 

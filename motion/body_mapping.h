@@ -4,6 +4,7 @@
 // (never by the rest pose, which need not be a pose at all).
 #pragma once
 
+#include "motion/blemishes.h"
 #include "motion/body.h"
 #include "motion/clip.h"
 
@@ -21,6 +22,8 @@ struct Figure {
   double leg_m = 0;                                    // hip to knee to ankle, metres
   Eigen::Vector2d heading = Eigen::Vector2d::UnitY();  // (x, z), Y up: where it walks, or
                                                        // faces if it stays; length 1
+  int t_pose_frames = 0;       // at the front, before the motion (motion/blemishes.h)
+  std::vector<Gap> gaps;       // in which it or a joint is frozen in place
   double travel_m = 0;         // of the pelvis over ground, from first to last frame
   std::vector<Problem> notes;  // warnings: what was guessed or borrowed
 };

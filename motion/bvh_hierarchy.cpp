@@ -1,6 +1,7 @@
 #include "motion/bvh_hierarchy.h"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <unordered_map>
 #include <unordered_set>
@@ -10,12 +11,7 @@
 namespace promenade::motion {
 namespace {
 
-std::string quoted(std::string_view word) {
-  constexpr std::size_t most = 40;
-  if (word.empty()) return "the end of the file";
-  std::string text = "'" + std::string(word.substr(0, most));
-  return text + (word.size() > most ? "...'" : "'");
-}
+constexpr std::size_t longest_name = 1000;
 
 // A block that is open: a joint, or the end site of one.
 struct Open {
@@ -31,7 +27,7 @@ class HierarchyReader {
 
   BvhHierarchy read() {
     if (!in_.take("HIERARCHY")) {
-      refuse_next("expected HIERARCHY: this is not a BVH file");
+      in_.refuse_next("expected HIERARCHY: this is not a BVH file");
     }
     while (!in_.take("MOTION")) {
       if (!open_.empty()) {
@@ -39,37 +35,27 @@ class HierarchyReader {
       } else if (in_.take("ROOT")) {
         open_joint(-1);
       } else {
-        refuse_next("expected ROOT or MOTION");
+        in_.refuse_next("expected ROOT or MOTION");
       }
     }
     if (!open_.empty())
-      refuse("MOTION before the block of joint " + name_of(open_.back().joint) +
-             " was closed by '}'");
-    if (result_.skeleton.joints.empty()) refuse("no joint before MOTION");
-    if (result_.rows == 0) refuse("no joint has a channel: nothing can move");
+      in_.refuse("MOTION before the block of joint " + name_of(open_.back().joint) +
+                 " was closed by '}'");
+    if (result_.skeleton.joints.empty()) in_.refuse("no joint before MOTION");
+    if (result_.rows == 0) in_.refuse("no joint has a channel: nothing can move");
     return std::move(result_);
   }
 
  private:
-  [[noreturn]] void refuse(std::string message) {
-    in_.error(std::move(message));
-    in_.give_up();
-  }
-
-  [[noreturn]] void refuse_next(const std::string& expected) {
-    const std::string_view word = in_.next();
-    refuse(expected + ", found " + quoted(word));
-  }
-
   void read_in_block() {
     const Open& block = open_.back();
     if (in_.take("OFFSET")) return read_offset();
     if (in_.take("}")) return close();
-    if (block.end_site) refuse_next("expected OFFSET or '}'");
+    if (block.end_site) in_.refuse_next("expected OFFSET or '}'");
     if (in_.take("CHANNELS")) return read_channels();
     if (in_.take("JOINT")) return open_joint(block.joint);
-    if (in_.take("End")) return open_end_site();
-    refuse_next("expected OFFSET, CHANNELS, JOINT, End Site or '}'");
+    if (in_.take("End") || in_.take("EndSite")) return open_end_site();
+    in_.refuse_next("expected OFFSET, CHANNELS, JOINT, End Site or '}'");
   }
 
   std::string name_of(int joint) const {
@@ -79,32 +65,32 @@ class HierarchyReader {
   void open_joint(int parent) {
     const std::size_t keyword = in_.word_position();
     const std::string_view name = in_.rest_of_line();
-    if (name.empty()) {
-      in_.error_at(keyword, "a joint without a name");
+    if (name.empty() || name.size() > longest_name) {
+      in_.error_at(keyword, name.empty() ? "a joint without a name"
+                                         : "a joint with a name of more than 1000 letters");
       in_.give_up();
     }
     result_.skeleton.joints.push_back({unique_name(name), parent, Eigen::Vector3d::Zero()});
     result_.channels.push_back({{}, result_.rows});
-    if (!in_.take("{")) refuse_next("expected '{' after the name of a joint");
+    if (!in_.take("{")) in_.refuse_next("expected '{' after the name of a joint");
     open_.push_back({result_.skeleton.size() - 1, false, false, false});
   }
 
   std::string unique_name(std::string_view name) {
-    std::string unique(name);
-    if (names_.insert(unique).second) return unique;
-    int& copies = copies_[unique];
+    if (names_.insert(name).second) return std::string(name);
+    int& copies = copies_[name];
     if (copies == 0) copies = 1;
     do {
-      unique = std::string(name) + "_" + std::to_string(++copies);
-    } while (!names_.insert(unique).second);
-    in_.warn_at(in_.word_position(),
-                "a second joint named " + quoted(name) + "; it is called '" + unique + "' here");
-    return unique;
+      made_names_.push_back(std::string(name) + "_" + std::to_string(++copies));
+    } while (!names_.insert(made_names_.back()).second);
+    in_.warn_at(in_.word_position(), "a second joint named " + quoted(name) + "; it is called '" +
+                                         made_names_.back() + "' here");
+    return made_names_.back();
   }
 
   void open_end_site() {
     in_.rest_of_line();
-    if (!in_.take("{")) refuse_next("expected '{' after End Site");
+    if (!in_.take("{")) in_.refuse_next("expected '{' after End Site");
     const int joint = open_.back().joint;
     result_.skeleton.end_sites.push_back({joint, Eigen::Vector3d::Zero()});
     open_.push_back({joint, true, false, true});
@@ -113,15 +99,15 @@ class HierarchyReader {
   void close() {
     const Open block = open_.back();
     if (!block.offset_seen) {
-      refuse((block.end_site ? "an end site of joint " : "joint ") + name_of(block.joint) +
-             " without an OFFSET");
+      in_.refuse((block.end_site ? "an end site of joint " : "joint ") + name_of(block.joint) +
+                 " without an OFFSET");
     }
     open_.pop_back();
   }
 
   void read_offset() {
     Open& block = open_.back();
-    if (block.offset_seen) refuse("a second OFFSET in one block");
+    if (block.offset_seen) in_.refuse("a second OFFSET in one block");
     block.offset_seen = true;
     Eigen::Vector3d& offset =
         block.end_site ? result_.skeleton.end_sites.back().offset
@@ -129,26 +115,26 @@ class HierarchyReader {
     for (int axis = 0; axis < 3; ++axis) {
       const std::string_view word = in_.next();
       const ScannedNumber number = to_number(word);
-      if (number.trouble) refuse(quoted(word) + " in OFFSET " + number.trouble);
+      if (number.trouble) in_.refuse(quoted(word) + " in OFFSET " + number.trouble);
       offset(axis) = number.value;
     }
   }
 
   void read_channels() {
     Open& block = open_.back();
-    if (block.channels_seen) refuse("a second CHANNELS in one block");
+    if (block.channels_seen) in_.refuse("a second CHANNELS in one block");
     block.channels_seen = true;
     const std::string_view word = in_.next();
     const ScannedNumber count = to_number(word);
     if (count.trouble || count.value < 0 || count.value > 6 ||
         count.value != static_cast<int>(count.value)) {
-      refuse("CHANNELS wants a whole number from 0 to 6, found " + quoted(word));
+      in_.refuse("CHANNELS wants a whole number from 0 to 6, found " + quoted(word));
     }
     JointChannels& list = result_.channels[static_cast<std::size_t>(block.joint)];
     list.first_row = result_.rows;
     for (int c = 0; c < static_cast<int>(count.value); ++c) read_channel(list, word);
     if (is_channel(in_.peek())) {
-      refuse_next("CHANNELS says " + std::string(word) + ", but there are more");
+      in_.refuse_next("CHANNELS says " + std::string(word) + ", but there are more");
     }
     result_.rows += static_cast<int>(list.channels.size());
   }
@@ -166,11 +152,11 @@ class HierarchyReader {
     const std::string_view word = in_.next();
     const std::optional<Channel> channel = channel_from(word);
     if (!channel) {
-      refuse("CHANNELS says " + std::string(count) +
-             "; expected a channel such as Xrotation, found " + quoted(word));
+      in_.refuse("CHANNELS says " + std::string(count) +
+                 "; expected a channel such as Xrotation, found " + quoted(word));
     }
     for (const Channel other : list.channels) {
-      if (other == *channel) refuse("channel " + quoted(word) + " twice on one joint");
+      if (other == *channel) in_.refuse("channel " + quoted(word) + " twice on one joint");
     }
     list.channels.push_back(*channel);
   }
@@ -178,8 +164,9 @@ class HierarchyReader {
   Scanner& in_;
   BvhHierarchy result_;
   std::vector<Open> open_;
-  std::unordered_set<std::string> names_;
-  std::unordered_map<std::string, int> copies_;
+  std::unordered_set<std::string_view> names_;  // in the text, or in made_names_
+  std::deque<std::string> made_names_;
+  std::unordered_map<std::string_view, int> copies_;
 };
 
 // The tree of every joint: the index of its root among the roots.

@@ -2,6 +2,7 @@
 #include <charconv>
 
 #include "motion/bvh.h"
+#include "motion/plain_clip.h"
 
 namespace promenade::motion {
 namespace {
@@ -105,6 +106,7 @@ class HierarchyWriter {
 }  // namespace
 
 std::string bvh_text(const Clip& clip) {
+  if (!clip.axes.empty()) return bvh_text(plain_clip(clip));
   std::vector<std::size_t> order;
   std::string text = HierarchyWriter(clip).write(order);
   text += "MOTION\nFrames: " + std::to_string(clip.frames()) + "\nFrame Time: ";

@@ -27,14 +27,23 @@ struct JointChannels {
   int first_row = 0;              // of Clip::values
 };
 
+// What a joint's rotations stand between: before * rotations * after.
+struct JointAxes {
+  Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond after = Eigen::Quaterniond::Identity();
+};
+
 struct Clip {
   std::string file;
-  std::string format;                   // "bvh"
+  std::string format;                   // "bvh" or "asf/amc"
   Skeleton skeleton;                    // offsets in file units
   std::vector<JointChannels> channels;  // J
-  Eigen::MatrixXd values;               // C x T: file units and degrees
-  double frame_time = 0;                // seconds
-  std::optional<double> unit_m;         // metres per file unit, when the file says so
+  // J, or empty. Empty (BVH): rotations multiply from left to right, about axes that
+  // turn along. Else (ASF): from right to left, about fixed axes, which are the joint's.
+  std::vector<JointAxes> axes;
+  Eigen::MatrixXd values;        // C x T: file units and degrees
+  double frame_time = 0;         // seconds
+  std::optional<double> unit_m;  // metres per file unit, when the file says so
   std::vector<Problem> warnings;
 
   int frames() const { return static_cast<int>(values.cols()); }
@@ -49,7 +58,11 @@ struct LocalPose {
 
 LocalPose local_pose(const Clip& clip, int frame);
 
+// The same; allocation-free when `pose` has J joints already.
+void local_pose(const Clip& clip, int frame, LocalPose& pose);
+
 // World positions in file units and axes.
 WorldPose forward_kinematics(const Clip& clip, int frame);
+WorldPose forward_kinematics(const Clip& clip, const LocalPose& pose);
 
 }  // namespace promenade::motion

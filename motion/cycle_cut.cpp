@@ -53,9 +53,21 @@ void straighten(Loop& loop, double turn) {
   }
 }
 
-// Turns all of it so that it walks along +Z.
-void align(Loop& loop) {
-  const Vector3d travel = loop.poses.back().root - loop.poses.front().root;
+// Where the figure faces on the mean, over ground: square to its hips.
+Vector3d facing(const Take& take, const CycleCandidate& cut) {
+  Vector3d sum = Vector3d::Zero();
+  for (int k = 0; k < 8; ++k) {
+    const auto body = body_at(take, cut.first() + cut.length() * k / 8);
+    sum += (body.col(left_hip) - body.col(right_hip)).cross(Vector3d::UnitY());
+  }
+  return sum;
+}
+
+// Turns all of it so that it walks along +Z; one that stays in its place faces there.
+void align(const Take& take, const CycleCandidate& cut, Loop& loop) {
+  Vector3d travel = loop.poses.back().root - loop.poses.front().root;
+  const double way = std::hypot(travel.x(), travel.z());
+  if (way < 0.25 * leg_length(take.skeleton, take.body)) travel = facing(take, cut);
   const Quaterniond turn = about_y(-std::atan2(travel.x(), travel.z()));
   for (Pose& pose : loop.poses) {
     pose.root = turn * pose.root;
@@ -142,17 +154,20 @@ std::vector<double> keytimes_of(const CycleCandidate& cut, double frame_time) {
 Cycle cut_cycle(const MotionSet& set, const Take& take, const CycleCandidate& candidate) {
   Loop loop = sample(take, candidate);
   straighten(loop, candidate.turn);
-  align(loop);
+  align(take, candidate, loop);
   close_loop(take, candidate, loop);
   const double scale = leg_length(set.skeleton, set.body) / leg_length(take.skeleton, take.body);
   for (Pose& pose : loop.poses) pose.root *= scale;
   const auto pose = [&loop](double seconds) { return pose_of(loop, seconds); };
   Cycle cycle = canonical_cycle(set, keytimes_of(candidate, take.frame_time), pose);
   cycle.source = take.source;
-  cycle.first_frame = static_cast<int>(std::lround(candidate.first()));
-  if (take.period > 0) cycle.first_frame %= take.period;
+  cycle.first_frame = take.first_frame + static_cast<int>(std::lround(candidate.first()));
   cycle.frames = static_cast<int>(std::lround(candidate.length()));
   cycle.loop_error_m = candidate.loop_error_m;
+  cycle.origin.frame_time = take.frame_time;
+  cycle.origin.turn = candidate.turn;
+  cycle.origin.straightness = candidate.straightness;
+  cycle.origin.scale = scale;
   return cycle;
 }
 

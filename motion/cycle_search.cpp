@@ -1,7 +1,9 @@
 #include "motion/cycle_search.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <map>
 
 namespace promenade::motion {
 namespace {
@@ -12,7 +14,7 @@ using Body = Eigen::Matrix<double, 3, body_joint_count>;
 constexpr double velocity_seconds = 0.08;  // what a gap in velocity weighs against one in position
 constexpr double least_overlap = 0.025;    // both feet on the ground, share of the cycle
 constexpr double most_overlap = 0.35;      // an old or sad walk has up to 0.2
-constexpr double most_turn = 0.45;         // radians in one cycle
+constexpr double most_wander = 0.15;       // leg lengths beside the way that an even turn goes
 
 Body body_velocity(const Take& take, double frame) {
   const double last = take.frames() - 1;
@@ -29,17 +31,54 @@ Body centred(Body body) {
 
 double rms(const Body& gap) { return std::sqrt(gap.colwise().squaredNorm().mean()); }
 
+Eigen::Vector2d over_ground(const Take& take, double from, double to) {
+  const Vector3d way = pose_at(take, to).root - pose_at(take, from).root;
+  return {way.x(), way.z()};
+}
+
+// Way from end to end over the way walked, in an eighth of a cycle at a time: sway counts
+// little, a curve much.
+double straightness_of(const Take& take, const CycleCandidate& cycle) {
+  constexpr int steps = 8;
+  const double step = cycle.length() / steps;
+  double walked = 0;
+  for (int k = 0; k < steps; ++k) {
+    walked += over_ground(take, cycle.first() + k * step, cycle.first() + (k + 1) * step).norm();
+  }
+  const double way = over_ground(take, cycle.first(), cycle.keys.back()).norm();
+  return walked > 0 ? way / walked : 1;
+}
+
+// How far the pelvis gets beside the arc of an even turn from end to end, metres: sway, or
+// a cycle that turns there and back and ends as it began.
+double wander_m(const Take& take, const CycleCandidate& cycle) {
+  const Eigen::Vector2d way = over_ground(take, cycle.first(), cycle.keys.back());
+  const Eigen::Vector2d left = Eigen::Vector2d(way.y(), -way.x()).normalized();
+  double most = 0;
+  for (int k = 1; k < 8; ++k) {
+    const double share = k / 8.0;
+    const double aside =
+        over_ground(take, cycle.first(), cycle.first() + share * cycle.length()).dot(left);
+    const double arc = -0.5 * way.norm() * cycle.turn * share * (1 - share);
+    most = std::max(most, std::abs(aside - arc));
+  }
+  return most;
+}
+
 // Speed over ground, radians turned and so on only make sense for a walk.
-std::string trouble_of(const Take& take, const CycleCandidate& cycle) {
+std::string trouble_of(const Take& take, const CycleCandidate& cycle,
+                       const SearchOptions& options) {
   const double seconds = cycle.length() * take.frame_time;
-  const Vector3d travel =
-      pose_at(take, cycle.keys.back()).root - pose_at(take, cycle.keys.front()).root;
   const double leg = leg_length(take.skeleton, take.body);
-  if (seconds < 0.5 || seconds > 4) return "no cycle of 0.5 to 4 seconds";
-  if (std::hypot(travel.x(), travel.z()) < 0.25 * leg) return "the figure does not walk on";
+  if (seconds < 0.5 || seconds > 4) return "last less than 0.5 or more than 4 seconds";
+  if (over_ground(take, cycle.first(), cycle.keys.back()).norm() < 0.25 * leg) {
+    return "do not walk on";
+  }
   const double overlap = std::max(cycle.keys[2] - cycle.keys[1], cycle.keys[4] - cycle.keys[3]);
-  if (overlap > most_overlap * cycle.length()) return "both feet stand for too long for a walk";
-  if (std::abs(cycle.turn) > most_turn) return "the figure turns all the time";
+  if (overlap > most_overlap * cycle.length()) return "stand on both feet for too long";
+  if (std::abs(cycle.turn) > options.most_turn) return "turn";
+  if (wander_m(take, cycle) > most_wander * leg) return "turn there and back";
+  if (cycle.loop_error_m > options.most_loop_error_m) return "do not come back to where they began";
   return {};
 }
 
@@ -63,7 +102,7 @@ void make_overlap(double& on, double& off, double least) {
   off = middle + 0.5 * least;
 }
 
-bool ascending(const std::array<double, 5>& keys) {
+bool step_in_turn(const std::vector<double>& keys) {
   return std::is_sorted(keys.begin(), keys.end()) && keys[1] - keys[0] > 1 && keys[3] - keys[2] > 1;
 }
 
@@ -87,7 +126,7 @@ std::optional<CycleCandidate> candidate_at(const Take& take, const FootContacts&
   make_overlap(cycle.keys[3], cycle.keys[4], least);
   // What moved the end moves the start: the length stays that of the steps.
   cycle.keys[0] += cycle.keys[4] - second.off;
-  if (!ascending(cycle.keys)) return std::nullopt;
+  if (!step_in_turn(cycle.keys)) return std::nullopt;
   return cycle;
 }
 
@@ -109,6 +148,7 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
     cycle.loop_error_m = gap.position_m;
     cycle.velocity_gap = gap.velocity_m_s;
   }
+  cycle.straightness = straightness_of(take, cycle);
   cycle.keys[3] = std::min(cycle.keys[3], cycle.keys.back() - least_overlap * cycle.length());
   cycle.score = best + 0.1 * std::abs(cycle.turn);
 }
@@ -119,6 +159,18 @@ double median_length(const std::vector<CycleCandidate>& cycles) {
   for (const CycleCandidate& cycle : cycles) lengths.push_back(cycle.length());
   std::sort(lengths.begin(), lengths.end());
   return lengths[lengths.size() / 2];
+}
+
+// "of 73 cycles 55 turn, 3 do not walk on": what is wrong, the most frequent first.
+std::string said(const std::map<std::string, int>& troubles) {
+  std::vector<std::pair<int, std::string>> list;
+  for (const auto& [trouble, count] : troubles) list.emplace_back(-count, trouble);
+  std::sort(list.begin(), list.end());
+  std::string text;
+  for (const auto& [count, trouble] : list) {
+    text += (text.empty() ? "" : ", ") + std::to_string(-count) + " " + trouble;
+  }
+  return text;
 }
 
 }  // namespace
@@ -138,23 +190,27 @@ PoseGap pose_gap(const Take& take, double frame, double later) {
   return gap;
 }
 
-CycleSearch find_cycles(const Take& take, const FootContacts& contacts) {
+CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
+                        const SearchOptions& options) {
+  std::map<std::string, int> troubles;
   CycleSearch search;
-  search.refusal = "the feet do not step in turn often enough for one cycle";
   std::vector<CycleCandidate>& found = search.candidates;
   for (std::size_t i = 0; i + 1 < contacts.right.size(); ++i) {
     std::optional<CycleCandidate> cycle = candidate_at(take, contacts, i);
     if (!cycle) continue;
     refine_end(take, *cycle);
-    const std::string trouble = trouble_of(take, *cycle);
+    const std::string trouble = trouble_of(take, *cycle, options);
     if (trouble.empty()) {
       found.push_back(*cycle);
     } else {
-      search.refusal = trouble;
+      ++troubles[trouble];
     }
   }
-  if (found.empty()) return search;
-  search.refusal.clear();
+  search.refusal = said(troubles);
+  if (found.empty()) {
+    if (troubles.empty()) search.refusal = "the feet do not step in turn for a whole cycle";
+    return search;
+  }
   // A cycle that is unlike the others of its take is a start, a stop or a stumble.
   const double usual = median_length(found);
   for (CycleCandidate& cycle : found) {
@@ -166,7 +222,31 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts) {
   return search;
 }
 
-Take unrolled(const Take& take) {
+std::string trouble_with_keys(const Take& take, const std::vector<double>& keys) {
+  if (keys.size() < 2 || keys.front() < 0 || keys.back() > take.frames() - 1.0) {
+    return "has frames " + std::to_string(take.first_frame) + " to " +
+           std::to_string(take.first_frame + take.frames() - 1) + ", and the cycle lies outside";
+  }
+  for (std::size_t k = 1; k < keys.size(); ++k) {
+    if (keys[k] <= keys[k - 1]) return "cannot have keytimes that do not ascend";
+  }
+  if (keys.back() - keys.front() < 2) return "cannot have a cycle of less than two frames";
+  return {};
+}
+
+CycleCandidate given_cycle(const Take& take, std::vector<double> keys) {
+  assert(trouble_with_keys(take, keys).empty() && "keytimes of the take");
+  CycleCandidate cycle;
+  cycle.keys = std::move(keys);
+  const PoseGap gap = pose_gap(take, cycle.first(), cycle.keys.back());
+  cycle.turn = gap.turn;
+  cycle.loop_error_m = gap.position_m;
+  cycle.velocity_gap = gap.velocity_m_s;
+  cycle.straightness = straightness_of(take, cycle);
+  return cycle;
+}
+
+Take unrolled(Take take) {
   const double seconds = (take.frames() - 1) * take.frame_time;
   if (take.frames() < 3 || seconds > 3 || seconds < 0.5) return take;
   const PoseGap gap = pose_gap(take, 0, take.frames() - 1);

@@ -6,11 +6,12 @@
 
 namespace promenade::motion {
 
-// Times are frames of the take. Keytimes: right off, right on, left off, left on,
+// Times are frames of the take. Keytimes of a walk: right off, right on, left off, left on,
 // right off, each foot landing before the other leaves.
 struct CycleCandidate {
-  std::array<double, 5> keys{};
+  std::vector<double> keys;
   double turn = 0;          // radians about Y from the first pose to the last
+  double straightness = 1;  // way of the pelvis from end to end over the way it walked
   double loop_error_m = 0;  // gap of the joints, the last pose laid over the first; RMS
   double velocity_gap = 0;  // m/s, the same of their velocities
   double score = 0;         // metres; less is better
@@ -19,12 +20,25 @@ struct CycleCandidate {
   double length() const { return keys.back() - keys.front(); }
 };
 
-struct CycleSearch {
-  std::vector<CycleCandidate> candidates;  // the best first
-  std::string refusal;                     // why there is none
+struct SearchOptions {
+  double most_turn = 0.45;          // radians in one cycle: it will be straightened
+  double most_loop_error_m = 0.15;  // cycles that close worse are refused
 };
 
-CycleSearch find_cycles(const Take& take, const FootContacts& contacts);
+struct CycleSearch {
+  std::vector<CycleCandidate> candidates;  // the best first
+  std::string refusal;                     // what is wrong with the others; empty if there are none
+};
+
+CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
+                        const SearchOptions& options = {});
+
+// Why these keytimes (frames of the take) are no cycle of it: outside of the take, or not
+// ascending. Empty: they are.
+std::string trouble_with_keys(const Take& take, const std::vector<double>& keys);
+
+// A cycle that somebody names by its keytimes, which must be one: how it closes.
+CycleCandidate given_cycle(const Take& take, std::vector<double> keys);
 
 // How poses at two frames differ when the second is turned about Y and moved over
 // the ground onto the first.
@@ -37,6 +51,6 @@ PoseGap pose_gap(const Take& take, double frame, double later);
 
 // A take that is one loop already is repeated, so that cycles which run over its
 // end are found. Others come back as they are.
-Take unrolled(const Take& take);
+Take unrolled(Take take);
 
 }  // namespace promenade::motion

@@ -34,6 +34,9 @@ std::string read_file(const std::filesystem::path& path) {
   if (!file)
     throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
   std::string bytes;
+  // Growing by doubling would hold the file three times at the last step.
+  const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+  if (!ignored && size < bytes.max_size()) bytes.reserve(static_cast<std::size_t>(size) + 1);
   char block[1 << 16];
   while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
     bytes.append(block, count);

@@ -5,6 +5,7 @@
 
 #include "motion/heel.h"
 #include "motion/leg_ik.h"
+#include "motion/quantile.h"
 
 namespace promenade::motion {
 namespace {
@@ -13,20 +14,8 @@ namespace {
 // while it may still have this share of the speed of swinging feet: it slides and turns
 // on. On generated walks the moment is found to 15 ms.
 constexpr double floor_band = 0.005;
-constexpr double touch_down_share = 0.3;
-
-// Per frame: speed of the slower one of ankle and toe (m/s) and how far the foot is above
-// where it stands (m); the same of the slowest of ankle, toe and heel, and of the lower
-// one of toe and heel.
-struct FootCourse {
-  std::vector<double> speed, height, sole_speed, sole_height;
-};
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
-}
+constexpr double touch_down_share = 0.15;
+constexpr double landing_seconds = 1.0 / 60;  // over which that speed is measured
 
 using BodyCourse = std::vector<Eigen::Matrix<double, 3, body_joint_count>>;
 
@@ -57,6 +46,21 @@ FootPath find_path(const BodyCourse& body, const LegJoints& leg) {
   return path;
 }
 
+// Speed of the slowest point of the foot from now on: a landing foot that was still in the
+// air a moment ago is down already.
+double speed_from(const FootPath& path, std::size_t f, double frame_time) {
+  const auto ahead =
+      static_cast<std::size_t>(std::max(std::lround(landing_seconds / frame_time), 1L));
+  const std::size_t b = std::min(f + ahead, path.ankle.size() - 1);
+  if (b == f) return 0;
+  const double seconds = static_cast<double>(b - f) * frame_time;
+  double least = INFINITY;
+  for (const auto* point : {&path.ankle, &path.toe, &path.heel}) {
+    least = std::min(least, ((*point)[b] - (*point)[f]).norm() / seconds);
+  }
+  return least;
+}
+
 FootCourse find_course(const BodyCourse& body, double frame_time, Side side) {
   const FootPath path = find_path(body, leg_joints(side));
   const std::size_t last = body.size() - 1;
@@ -68,7 +72,7 @@ FootCourse find_course(const BodyCourse& body, double frame_time, Side side) {
       return (point[b] - point[a]).norm() / seconds;
     };
     course.speed.push_back(std::min(speed(path.ankle), speed(path.toe)));
-    course.sole_speed.push_back(std::min(course.speed.back(), speed(path.heel)));
+    course.sole_speed.push_back(speed_from(path, f, frame_time));
     course.height.push_back(
         std::min(path.ankle[f].y() - path.ankle_low, path.toe[f].y() - path.toe_low));
     course.sole_height.push_back(std::min(path.heel[f].y(), path.toe[f].y()) - path.toe_low);
@@ -107,17 +111,26 @@ std::vector<Stance> stances(const FootCourse& course, double still, double low, 
   return found;
 }
 
+// How high the sole is while it stands: the floor under this step, by the course's measure.
+double floor_under(const FootCourse& course, const Stance& stance) {
+  const auto from = static_cast<std::ptrdiff_t>(std::ceil(stance.on));
+  const auto to = static_cast<std::ptrdiff_t>(std::floor(stance.off));
+  if (to < from) return 0;
+  return quantile({course.sole_height.begin() + from, course.sole_height.begin() + to + 1}, 0.5);
+}
+
 // A foot is down before it is still: it turns about its heel, and slides a little.
-double touch_down(const FootCourse& course, double still_from, double slow, double low) {
-  auto f = static_cast<std::size_t>(std::ceil(still_from));
+double touch_down(const FootCourse& course, const Stance& stance, double slow, double band) {
+  const double low = floor_under(course, stance) + band;
+  auto f = static_cast<std::size_t>(std::ceil(stance.on));
   while (f > 0 && course.sole_speed[f - 1] < slow && course.sole_height[f - 1] < low) --f;
-  if (f == 0 || static_cast<double>(f) >= still_from) return still_from;
+  if (f == 0 || static_cast<double>(f) >= stance.on) return stance.on;
   const auto since = [f](const std::vector<double>& values, double limit) {
     const double a = values[f], b = values[f - 1];
     return b > limit ? std::clamp((limit - a) / (b - a), 0.0, 1.0) : 1;
   };
   const double share = std::min(since(course.sole_speed, slow), since(course.sole_height, low));
-  return std::min(static_cast<double>(f) - share, still_from);
+  return std::min(static_cast<double>(f) - share, stance.on);
 }
 
 // Frames from each foot's landing to the other's leaving, the median; negative: flight.
@@ -141,13 +154,14 @@ double median_overlap(const std::vector<Stance>& a, const std::vector<Stance>& b
 FootContacts find_contacts(const Take& take) {
   BodyCourse body;
   for (int f = 0; f < take.frames(); ++f) body.push_back(body_at(take, f));
-  const FootCourse left = find_course(body, take.frame_time, Side::left);
-  const FootCourse right = find_course(body, take.frame_time, Side::right);
+  FootContacts contacts;
+  contacts.left_course = find_course(body, take.frame_time, Side::left);
+  contacts.right_course = find_course(body, take.frame_time, Side::right);
+  const FootCourse &left = contacts.left_course, &right = contacts.right_course;
   const double swing = 0.5 * (quantile(left.speed, 0.95) + quantile(right.speed, 0.95));
   const double low = 0.07 * leg_length(take.skeleton, take.body);
   const double least = 0.08 / take.frame_time;
   const double wanted_overlap = 0.04 / take.frame_time;
-  FootContacts contacts;
   for (const double share : {0.07, 0.085, 0.1, 0.115}) {
     contacts.still_m_s = std::max(share * swing, 0.05);
     contacts.left = stances(left, contacts.still_m_s, low, least);
@@ -156,8 +170,8 @@ FootContacts find_contacts(const Take& take) {
   }
   const double slow = touch_down_share * swing;
   const double band = floor_band * leg_length(take.skeleton, take.body);
-  for (Stance& stance : contacts.left) stance.on = touch_down(left, stance.on, slow, band);
-  for (Stance& stance : contacts.right) stance.on = touch_down(right, stance.on, slow, band);
+  for (Stance& stance : contacts.left) stance.on = touch_down(left, stance, slow, band);
+  for (Stance& stance : contacts.right) stance.on = touch_down(right, stance, slow, band);
   return contacts;
 }
 

@@ -4,6 +4,7 @@
 
 #include "motion/foot_plant.h"
 #include "motion/heel.h"
+#include "motion/quantile.h"
 
 namespace promenade::motion {
 namespace {
@@ -11,6 +12,57 @@ namespace {
 using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
 double most(const Body& difference) { return difference.colwise().norm().maxCoeff(); }
+
+struct StanceTime {
+  double on = 0, off = 0;  // seconds, the second beyond the cycle where it runs over the seam
+};
+
+StanceTime stance_time(const Cycle& cycle, Side side) {
+  if (side == Side::right) return {cycle.keytimes[1], cycle.keytimes[4]};
+  return {cycle.keytimes[3], cycle.keytimes[2] + cycle.seconds};
+}
+
+// Heel, ankle and toe of one foot of a walk over the ground.
+class Foot {
+ public:
+  Foot(const MotionSet& set, const Cycle& cycle, Side side)
+      : set_(set), cycle_(cycle), leg_(leg_joints(side)) {
+    const StanceTime stance = stance_time(cycle, side);
+    Body flat = body_over_ground(set, cycle, stance.on);
+    for (int k = 1; k <= 40; ++k) {
+      const Body body = body_over_ground(set, cycle, stance.on + (stance.off - stance.on) * k / 40);
+      if (body(1, leg_.ankle) < flat(1, leg_.ankle)) flat = body;
+    }
+    heel_ = find_heel(flat.col(leg_.ankle), flat.col(leg_.toe));
+  }
+
+  std::array<Eigen::Vector3d, 3> sole(double seconds) const {
+    const Body body = body_over_ground(set_, cycle_, seconds);
+    const Eigen::Vector3d ankle = body.col(leg_.ankle), toe = body.col(leg_.toe);
+    return {heel_position(heel_, ankle, toe), ankle, toe};
+  }
+
+ private:
+  const MotionSet& set_;
+  const Cycle& cycle_;
+  LegJoints leg_;
+  Heel heel_;
+};
+
+// Heights of a toe while its foot is flat or leaves, metres. When it lands, the toe is up.
+std::vector<double> standing_toe(const MotionSet& set, const Cycle& cycle, Side side) {
+  const StanceTime stance = stance_time(cycle, side);
+  std::vector<double> heights;
+  for (int k = 0; k <= 40; ++k) {
+    const double share = 0.25 + 0.75 * k / 40;
+    const Body body = body_over_ground(set, cycle, stance.on + share * (stance.off - stance.on));
+    heights.push_back(body(1, leg_joints(side).toe));
+  }
+  return heights;
+}
+
+// A toe goes down a little when the heel rises; then the foot stands on it.
+constexpr double low_share = 0.1;
 
 }  // namespace
 
@@ -24,22 +76,13 @@ Eigen::Matrix<double, 3, body_joint_count> body_over_ground(const MotionSet& set
 }
 
 double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side) {
-  const bool left = side == Side::left;
-  const LegJoints leg = leg_joints(side);
-  const double on = left ? cycle.keytimes[3] : cycle.keytimes[1];
-  const double off = left ? cycle.keytimes[2] + cycle.seconds : cycle.keytimes[4];
-  const Body flat = body_over_ground(set, cycle, 0.5 * (on + off));
-  const Heel heel = find_heel(flat.col(leg.ankle), flat.col(leg.toe));
-  const auto sole = [&](double seconds) {
-    const Body body = body_over_ground(set, cycle, seconds);
-    const Eigen::Vector3d ankle = body.col(leg.ankle), toe = body.col(leg.toe);
-    return std::array{heel_position(heel, ankle, toe), ankle, toe};
-  };
+  const StanceTime stance = stance_time(cycle, side);
+  const Foot foot(set, cycle, side);
   constexpr int steps = 60;
   double slide = 0;
-  auto before = sole(on);
+  auto before = foot.sole(stance.on);
   for (int k = 1; k <= steps; ++k) {
-    const auto now = sole(on + (off - on) * k / steps);
+    const auto now = foot.sole(stance.on + (stance.off - stance.on) * k / steps);
     double least = INFINITY;
     for (std::size_t p = 0; p < now.size(); ++p) {
       least = std::min(least, std::hypot(now[p].x() - before[p].x(), now[p].z() - before[p].z()));
@@ -48,6 +91,28 @@ double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side) {
     before = now;
   }
   return slide;
+}
+
+double toe_level(const MotionSet& set, const Cycle& cycle, Side side) {
+  return quantile(standing_toe(set, cycle, side), low_share);
+}
+
+double toe_level(const MotionSet& set, const Cycle& cycle) {
+  return 0.5 * (toe_level(set, cycle, Side::left) + toe_level(set, cycle, Side::right));
+}
+
+double penetration_m(const MotionSet& set, const Cycle& cycle) {
+  const double level = toe_level(set, cycle);
+  double most = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    const Foot foot(set, cycle, side);
+    constexpr int steps = 120;
+    for (int k = 0; k < steps; ++k) {
+      const auto [heel, ankle, toe] = foot.sole(cycle.seconds * k / steps);
+      most = std::max(most, level - std::min(heel.y(), toe.y()));
+    }
+  }
+  return most;
 }
 
 Seam seam(const MotionSet& set, const Cycle& cycle) {

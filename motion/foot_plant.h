@@ -18,14 +18,22 @@ struct PlantReport {
 };
 
 // Moves the ankles of a cycle over the ground so that its standing feet stay where
-// they are while the body walks on; what was moved fades out during the swing. Toes keep
-// their heights, feet their directions but for a little more heel rise before they leave. Needs the
-// key phases of a walk: right off, right on, left off, left on, right off.
+// they are while the body walks on; what was moved fades out during the swing. Both feet
+// stand at one height, and one that sinks below it is lifted. Feet keep their directions but for a
+// little more heel rise before they leave. For walks only.
 PlantReport plant_feet(const MotionSet& set, Cycle& cycle);
 
 // How far the supporting point of a foot slides over the ground while it stands: the
 // path of the one of heel, ankle and toe that moves least, step by step, metres.
 double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side);
+
+// The height at which toes stand when they are lowest (in a tenth of their stance; the mean of
+// both feet), metres: the floor is as far below as soles are thick.
+double toe_level(const MotionSet& set, const Cycle& cycle);
+double toe_level(const MotionSet& set, const Cycle& cycle, Side side);  // of one foot
+
+// The most that a toe or heel comes below that level at any time, metres.
+double penetration_m(const MotionSet& set, const Cycle& cycle);
 
 // What happens where the last pose meets the first. A gap is how far a joint lies from
 // where its own motion would bring it (the second difference of its positions, in steps

@@ -14,6 +14,17 @@
 
 namespace promenade::motion {
 
+// Where a cycle was cut from, and what was changed. One that was made has none of it.
+struct CycleOrigin {
+  std::string sha256;     // of the file, 64 hexadecimal digits; empty: not known
+  double frame_time = 0;  // of the file, seconds
+  int cycles_found = 0;   // loops that the take offered; 0: the recipe named this one
+  double turn = 0;        // radians that it turned left from end to end, before it was straightened
+  double straightness = 1;  // way from end to end over the way walked, before that; 1: straight
+  double scale = 1;         // leg of the set's skeleton over that of the file's
+  double moved_m = 0;       // the most that a joint was moved by closing and planting
+};
+
 struct Cycle {
   std::string name;     // unique in its set: "happy_1"
   std::string style;    // "happy"
@@ -28,6 +39,7 @@ struct Cycle {
                                  // horizontal position, and its height over ground
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // mean, m/s: left (+X), ahead (+Z)
   double loop_error_m = 0;  // gap at the seam before it was closed, RMS over joints
+  CycleOrigin origin;
 };
 
 struct MotionSet {
@@ -37,6 +49,7 @@ struct MotionSet {
   BodyMap body;
   int phases = 60;                                         // F
   std::vector<double> key_phases = {0, 0.4, 0.5, 0.9, 1};  // M+1, 0 to 1
+  bool walk = true;  // the keytimes are those of a walk: see above
   std::vector<Cycle> cycles;
 
   int size() const { return static_cast<int>(cycles.size()); }

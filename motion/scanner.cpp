@@ -1,51 +1,60 @@
 #include "motion/scanner.h"
 
 #include <algorithm>
-#include <cctype>
-#include <charconv>
-#include <cmath>
 
 namespace promenade::motion {
 namespace {
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-bool is_white(char c) { return is_blank(c) || is_line_end(c); }
+bool is_space(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+bool is_brace(char c) { return c == '{' || c == '}'; }
+bool is_control(char c) { return (c >= 0 && c < ' ') || c == 0x7f; }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 }  // namespace
-
-ScannedNumber to_number(std::string_view word) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  ScannedNumber number;
-  const char* end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, number.value);
-  if (stop != end || error == std::errc::invalid_argument) {
-    number.trouble = "is not a number";
-  } else if (error == std::errc::result_out_of_range) {
-    // Too small is 0; too large is nothing that a capture holds.
-    const bool small = word.find("e-") != word.npos || word.find("E-") != word.npos;
-    number.value = 0;
-    if (!small) number.trouble = "is too large";
-  } else if (!std::isfinite(number.value)) {
-    number.trouble = "is not finite";
-  }
-  return number;
-}
 
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](char x, char y) { return lower(x) == lower(y); });
 }
 
-Scanner::Scanner(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {
-  if (text_.substr(0, 3) == "\xef\xbb\xbf") at_ = 3;
+std::string quoted(std::string_view word) {
+  constexpr std::size_t most = 40;
+  if (word.empty()) return "the end of the file";
+  std::string text = "'" + std::string(word.substr(0, most));
+  return text + (word.size() > most ? "...'" : "'");
+}
+
+Scanner::Scanner(std::string_view text, std::string file, Punctuation punctuation)
+    : text_(text), file_(std::move(file)), acclaim_(punctuation == Punctuation::acclaim) {
+  // A DOS end of file, or what a disk fills a block with.
+  while (!text_.empty() && (text_.back() == '\x1a' || text_.back() == '\0')) {
+    text_.remove_suffix(1);
+  }
+  if (text_.substr(0, 3) == byte_order_mark) at_ = 3;
   word_at_ = at_;
 }
 
+bool Scanner::is_blank(char c) const {
+  return is_space(c) || (acclaim_ && (c == ',' || c == '(' || c == ')'));
+}
+
+void Scanner::skip_comment() {
+  if (acclaim_ && at_ < text_.size() && text_[at_] == '#') skip_line();
+}
+
+void Scanner::skip_line() {
+  while (at_ < text_.size() && !is_line_end(text_[at_])) ++at_;
+}
+
 void Scanner::skip_white() {
-  while (at_ < text_.size() && is_white(text_[at_])) ++at_;
+  do {
+    while (at_ < text_.size() && (is_blank(text_[at_]) || is_line_end(text_[at_]))) ++at_;
+    skip_comment();
+  } while (at_ < text_.size() && is_line_end(text_[at_]));
 }
 
 bool Scanner::at_end() {
@@ -55,13 +64,18 @@ bool Scanner::at_end() {
 
 bool Scanner::at_line_end() {
   while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  skip_comment();
   return at_ == text_.size() || is_line_end(text_[at_]);
 }
 
 std::string_view Scanner::peek() {
   skip_white();
   std::size_t end = at_;
-  while (end < text_.size() && !is_white(text_[end])) ++end;
+  const auto ends_word = [this](char c) {
+    return is_blank(c) || is_line_end(c) || (acclaim_ ? c == '#' : is_brace(c));
+  };
+  while (end < text_.size() && !ends_word(text_[end])) ++end;
+  if (end == at_ && end < text_.size()) ++end;  // a brace
   return text_.substr(at_, end - at_);
 }
 
@@ -78,21 +92,42 @@ bool Scanner::take(std::string_view word) {
   return true;
 }
 
+bool Scanner::take_start(std::string_view start) {
+  if (!same_word(peek().substr(0, start.size()), start)) return false;
+  word_at_ = at_;
+  at_ += start.size();
+  return true;
+}
+
 std::string_view Scanner::rest_of_line() {
   if (at_line_end()) return {};
   word_at_ = at_;
   std::size_t end = at_;
-  while (end < text_.size() && !is_line_end(text_[end])) ++end;
-  end = std::min(end, text_.find('{', at_));
+  while (end < text_.size() && !is_line_end(text_[end]) && text_[end] != '{') ++end;
   const std::size_t from = at_;
   at_ = end;
   while (end > from && is_blank(text_[end - 1])) --end;
   return text_.substr(from, end - from);
 }
 
+std::size_t Scanner::lines() const {
+  const std::string_view rest = text_.substr(at_);
+  const auto feeds = std::count(rest.begin(), rest.end(), '\n');
+  const auto returns = std::count(rest.begin(), rest.end(), '\r');
+  return static_cast<std::size_t>(feeds + returns) + 1;
+}
+
+std::size_t Scanner::take_numbers(double* out, std::size_t most) {
+  const char* const begin = text_.data();
+  const DecimalRun run = read_decimals(begin + at_, begin + text_.size(), out, most);
+  if (run.last_number) word_at_ = static_cast<std::size_t>(run.last_number - begin);
+  at_ = static_cast<std::size_t>(run.end - begin);
+  return run.count;
+}
+
 void Scanner::add(std::size_t position, std::string message, Severity severity) {
   int line = 1;
-  std::size_t start = text_.substr(0, 3) == "\xef\xbb\xbf" ? 3 : 0;
+  std::size_t start = text_.substr(0, 3) == byte_order_mark ? 3 : 0;
   position = std::max(position, start);
   for (std::size_t i = start; i < position; ++i) {
     if (text_[i] == '\n' || (text_[i] == '\r' && (i + 1 == text_.size() || text_[i + 1] != '\n'))) {
@@ -101,6 +136,8 @@ void Scanner::add(std::size_t position, std::string message, Severity severity) 
     }
   }
   const int column = static_cast<int>(position - start) + 1;
+  // What a broken file holds must not steer the terminal.
+  std::replace_if(message.begin(), message.end(), is_control, '?');
   problems_.push_back({file_, line, column, std::move(message), severity});
 }
 
@@ -115,6 +152,11 @@ void Scanner::warn_at(std::size_t position, std::string message) {
 }
 
 void Scanner::give_up() { throw InputError(problems_); }
+
+void Scanner::refuse_next(const std::string& expected) {
+  const std::string_view word = next();
+  refuse(expected + ", found " + quoted(word));
+}
 
 std::vector<Problem> Scanner::warnings() const {
   std::vector<Problem> found;

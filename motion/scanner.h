@@ -7,32 +7,41 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/decimal.h"
 #include "motion/problem.h"
 
 namespace promenade::motion {
 
-// What a word says as a number.
-struct ScannedNumber {
-  double value = 0;
-  const char* trouble = nullptr;  // why it is none, as a part of a sentence
-};
-ScannedNumber to_number(std::string_view word);
-
 // "Hips" and "hips" alike.
 bool same_word(std::string_view a, std::string_view b);
 
+// A word of the text as a message shows it: in quotes, not too long.
+std::string quoted(std::string_view word);
+
+// How a format parts its words. Biovision: a brace is a word of its own. Acclaim:
+// "#" starts a comment, and commas and parentheses are blanks.
+enum class Punctuation { biovision, acclaim };
+
 class Scanner {
  public:
-  Scanner(std::string_view text, std::string file);
+  Scanner(std::string_view text, std::string file,
+          Punctuation punctuation = Punctuation::biovision);
 
   bool at_end();                                // nothing but white space is left
   bool at_line_end();                           // nothing but blanks is left in this line
   std::string_view peek();                      // the next word, empty at the end
   std::string_view next();                      // takes it
   bool take(std::string_view word);             // takes the next word if it is this one
+  bool take_start(std::string_view start);      // the same for the start of a word
   std::string_view rest_of_line();              // or up to a "{", without blanks around it
+  void skip_line();                             // what is left of it, whatever it is
   std::size_t position() const { return at_; }  // where the next character is
   std::size_t left() const { return text_.size() - at_; }
+  std::size_t lines() const;  // at most so many lines are left
+
+  // Takes numbers from this line, at most so many, into `out` (nowhere if null). Stops
+  // early at the end of the line and before a word that is no plain number.
+  std::size_t take_numbers(double* out, std::size_t most);
 
   // Problems are placed at the word taken last, or at a position.
   void error(std::string message) { error_at(word_at_, std::move(message)); }
@@ -41,15 +50,23 @@ class Scanner {
   std::size_t word_position() const { return word_at_; }
   bool full() const { return errors_ >= 20; }  // enough has been said
   bool failed() const { return errors_ > 0; }
-  [[noreturn]] void give_up();  // throws InputError with all problems
+  [[noreturn]] void give_up();                     // throws InputError with all problems
+  [[noreturn]] void refuse(std::string message) {  // the same, with this one at the end
+    error(std::move(message));
+    give_up();
+  }
+  [[noreturn]] void refuse_next(const std::string& expected);  // "expected ..., found 'word'"
   std::vector<Problem> warnings() const;
 
  private:
+  bool is_blank(char c) const;
+  void skip_comment();
   void skip_white();
   void add(std::size_t position, std::string message, Severity severity);
 
   std::string_view text_;
   std::string file_;
+  bool acclaim_ = false;
   std::size_t at_ = 0;
   std::size_t word_at_ = 0;
   int errors_ = 0;

@@ -3,158 +3,186 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
+#include <tuple>
 
 #include "motion/cycle_cut.h"
-#include "motion/load_clip.h"
+#include "motion/quantile.h"
+#include "motion/shared_skeleton.h"
+#include "motion/take_loader.h"
 
 namespace promenade::motion {
 namespace {
 
 using Eigen::Vector3d;
+using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
-struct LoadedTake {
-  TakeSource source;
-  Take take;
-};
+// Where standing toes are brought to, metres over the floor: where the takes have them,
+// but within what shoes and bare feet can have.
+constexpr double least_toe_level = 0.01, most_toe_level = 0.06;
 
-// Reads all takes before any is judged, so that all problems come at once.
-std::vector<LoadedTake> load_takes(const std::vector<TakeSource>& sources,
-                                   const SetOptions& options, BuiltSet& built,
-                                   const std::function<void(const TakeSource&)>& progress) {
-  std::vector<LoadedTake> takes;
-  std::vector<Problem> problems;
-  const auto add = [](std::vector<Problem>& to, const std::vector<Problem>& from) {
-    to.insert(to.end(), from.begin(), from.end());
-  };
-  for (const TakeSource& source : sources) {
-    if (progress) progress(source);
-    try {
-      const Clip clip = load_clip(source.file);
-      const Figure figure = find_figure(clip, options.figure);
-      add(built.warnings, clip.warnings);
-      add(built.warnings, figure.notes);
-      takes.push_back({source, unrolled(make_take(clip, figure))});
-    } catch (const InputError& error) {
-      add(problems, error.problems());
-    }
-  }
-  if (!problems.empty()) throw InputError(problems);
-  return takes;
+// The body over the origin, turned so that `travel` is ahead.
+Body centred(Body body, const Eigen::Matrix3d& turn, double scale) {
+  const Vector3d at = body.col(pelvis);
+  body.colwise() -= Vector3d(at.x(), 0, at.z());
+  return scale * (turn * body);
 }
 
-bool same_tree(const Skeleton& a, const Skeleton& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t j = 0; j < a.joints.size(); ++j) {
-    if (a.joints[j].name != b.joints[j].name || a.joints[j].parent != b.joints[j].parent) {
-      return false;
-    }
-  }
-  return true;
+// How the take is turned where the cycle is straight ahead.
+Eigen::Matrix3d ahead(const Cut& cut) {
+  const Vector3d travel =
+      pose_at(cut.part, cut.cycle.keys.back()).root - pose_at(cut.part, cut.cycle.first()).root;
+  return Eigen::AngleAxisd(-std::atan2(travel.x(), travel.z()), Vector3d::UnitY())
+      .toRotationMatrix();
 }
 
-// Takes with the skeleton that most of them have; the others are refused. Bones get
-// their mean length.
-std::vector<const LoadedTake*> agree_on_skeleton(const std::vector<LoadedTake>& takes,
-                                                 BuiltSet& built) {
-  const auto followers = [&](const LoadedTake& one) {
-    return std::count_if(takes.begin(), takes.end(), [&](const LoadedTake& other) {
-      return same_tree(one.take.skeleton, other.take.skeleton);
-    });
-  };
-  const auto model = std::max_element(
-      takes.begin(), takes.end(),
-      [&](const LoadedTake& a, const LoadedTake& b) { return followers(a) < followers(b); });
-  std::vector<const LoadedTake*> kept;
-  built.set.skeleton = model->take.skeleton;
-  built.set.body = model->take.body;
-  for (Joint& joint : built.set.skeleton.joints) joint.offset.setZero();
-  for (const LoadedTake& take : takes) {
-    if (!same_tree(model->take.skeleton, take.take.skeleton)) {
-      built.reports.push_back(
-          {take.source.label, "", "its joints are not those of the other takes", {}, 0, 0, {}, 0});
-      continue;
-    }
-    kept.push_back(&take);
-    for (std::size_t j = 0; j < take.take.skeleton.joints.size(); ++j) {
-      built.set.skeleton.joints[j].offset += take.take.skeleton.joints[j].offset;
-    }
-  }
-  for (Joint& joint : built.set.skeleton.joints) {
-    joint.offset /= static_cast<double>(kept.size());
-  }
-  return kept;
-}
-
-// The most that a joint of the body lies from where it was in the capture, both with
-// the pelvis above the origin and facing along +Z.
-double distance_from_capture(const MotionSet& set, const Cycle& cycle, const Take& take,
-                             const CycleCandidate& cut) {
+// The most that a joint of the body lies from where it was in the capture (of this scale),
+// both with the pelvis over the origin and facing along +Z.
+double distance_from_capture(const MotionSet& set, const Cycle& cycle, const Cut& cut) {
+  const Eigen::Matrix3d turn = ahead(cut);
   double most = 0;
-  const Vector3d start = pose_at(take, cut.first()).root;
-  const Vector3d travel = pose_at(take, cut.keys.back()).root - start;
-  const Eigen::AngleAxisd turn(-std::atan2(travel.x(), travel.z()), Vector3d::UnitY());
   for (int k = 0; k < 30; ++k) {
     const double share = k / 30.0;
-    auto original = body_at(take, cut.first() + share * cut.length());
-    auto now = body_over_ground(set, cycle, share * cycle.seconds);
-    for (auto* body : {&original, &now}) {
-      const Vector3d at = body->col(pelvis);
-      body->colwise() -= Vector3d(at.x(), 0, at.z());
-    }
-    most = std::max(most, (now - turn.toRotationMatrix() * original).colwise().norm().maxCoeff());
+    const Body original = centred(body_at(cut.part, cut.cycle.first() + share * cut.cycle.length()),
+                                  turn, cycle.origin.scale);
+    const Body now = centred(body_over_ground(set, cycle, share * cycle.seconds),
+                             Eigen::Matrix3d::Identity(), 1);
+    most = std::max(most, (now - original).colwise().norm().maxCoeff());
   }
   return most;
 }
 
-// The best loops of a take that do not share frames.
-std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count) {
-  std::vector<CycleCandidate> chosen;
-  for (const CycleCandidate& one : all) {
-    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const CycleCandidate& other) {
-      return one.keys.back() <= other.first() + 1 || one.first() >= other.keys.back() - 1;
-    });
-    if (apart && static_cast<int>(chosen.size()) < count) chosen.push_back(one);
+// A cycle that is cut but not yet cleaned, and where it comes from.
+struct RawCycle {
+  Cycle cycle;
+  const LoadedTake* take;
+  const Cut* cut;
+  int number;  // of the take
+};
+
+// Names are given in the order of the takes; a name that somebody chose is not given again.
+class Names {
+ public:
+  std::string next(const std::string& style, const std::string& wanted) {
+    std::string name = wanted;
+    while (name.empty() || taken_.count(name) > 0) {
+      name = (wanted.empty() ? style : wanted) + "_" +
+             std::to_string(++numbers_[wanted.empty() ? style : wanted]);
+    }
+    taken_.insert(name);
+    return name;
   }
-  std::sort(chosen.begin(), chosen.end(),
-            [](const CycleCandidate& a, const CycleCandidate& b) { return a.first() < b.first(); });
-  return chosen;
-}
+
+ private:
+  std::map<std::string, int> numbers_;
+  std::set<std::string> taken_;
+};
 
 void refuse(BuiltSet& built, const LoadedTake& take, const std::string& reason) {
-  built.reports.push_back({take.source.label, "", reason, {}, 0, 0, {}, 0});
+  built.reports.push_back({take.source.label, "", reason});
 }
 
-void add_cycle(BuiltSet& built, const LoadedTake& take, const CycleCandidate& cut,
-               std::map<std::string, int>& numbers) {
-  MotionSet& set = built.set;
-  Cycle cycle = cut_cycle(set, take.take, cut);
-  CycleReport report;
-  report.plant = plant_feet(set, cycle);
-  report.seam = seam(set, cycle);
-  report.slide_left_m = stance_slide_m(set, cycle, Side::left);
-  report.slide_right_m = stance_slide_m(set, cycle, Side::right);
-  report.from_capture_m = distance_from_capture(set, cycle, take.take, cut);
+Cycle raw_cycle(const MotionSet& set, const LoadedTake& take, const Cut& cut) {
+  Cycle cycle = cut_cycle(set, cut.part, cut.cycle);
+  if (take.period > 0) cycle.first_frame %= take.period;
   cycle.style = take.source.style;
   cycle.source = take.source.label;
-  cycle.name = cycle.style + "_" + std::to_string(++numbers[cycle.style]);
-  report.file = take.source.label;
+  cycle.origin.sha256 = take.source.sha256;
+  cycle.origin.cycles_found = take.found;
+  return cycle;
+}
+
+void note_lent(const Fitted& fitted, const LoadedTake& take, BuiltSet& built) {
+  if (fitted.lent.empty()) return;
+  std::string names;
+  for (const std::string& name : fitted.lent) names += (names.empty() ? "" : ", ") + name;
+  built.warnings.push_back({take.source.file, 0, 0,
+                            "lacks joints of the set's skeleton, which stay unturned: " + names,
+                            Severity::warning});
+}
+
+std::vector<RawCycle> cut_cycles(const std::vector<LoadedTake>& takes, const SharedSkeleton& shared,
+                                 BuiltSet& built) {
+  std::vector<RawCycle> raw;
+  Names names;
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    const LoadedTake& take = takes[i];
+    if (!take.refusal.empty()) refuse(built, take, take.refusal);
+    for (const Cut& cut : take.cuts) {
+      const Fitted fitted = fit_to(shared, cut.part);
+      if (!fitted.refusal.empty()) {
+        refuse(built, take, fitted.refusal);
+        break;
+      }
+      const Cut here{cut.name, fitted.take, cut.cycle, cut.in_take};
+      if (&cut == &take.cuts.front()) note_lent(fitted, take, built);
+      raw.push_back({raw_cycle(built.set, take, here), &take, &cut, static_cast<int>(i)});
+      raw.back().cycle.name = names.next(take.source.style, cut.name);
+    }
+  }
+  return raw;
+}
+
+// All takes stand on one floor: captures of other figures, or with a floor that is not
+// level, stand elsewhere.
+void stand_on_one_floor(const MotionSet& set, std::vector<RawCycle>& raw) {
+  std::vector<double> levels;
+  levels.reserve(raw.size());
+  for (const RawCycle& one : raw) levels.push_back(toe_level(set, one.cycle));
+  if (levels.empty()) return;
+  const double common = std::clamp(quantile(levels, 0.5), least_toe_level, most_toe_level);
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    raw[i].cycle.root.row(1).array() += common - levels[i];
+  }
+}
+
+void finish(BuiltSet& built, RawCycle raw, const SetOptions& options) {
+  MotionSet& set = built.set;
+  Cycle& cycle = raw.cycle;
+  CycleReport report;
+  report.file = cycle.source;
   report.cycle = cycle.name;
+  if (set.walk) {
+    report.plant = plant_feet(set, cycle);
+    report.slide_left_m = stance_slide_m(set, cycle, Side::left);
+    report.slide_right_m = stance_slide_m(set, cycle, Side::right);
+  }
+  report.seam = seam(set, cycle);
+  report.from_capture_m = distance_from_capture(set, cycle, *raw.cut);
+  cycle.origin.moved_m = report.from_capture_m;
+  report.take = options.keep_takes ? raw.number : -1;
+  report.cut = raw.cut->in_take;
+  const Eigen::Matrix3d turn = ahead(*raw.cut);
+  const auto at = [&](double frame) {
+    return centred(body_at(raw.cut->part, frame), turn, cycle.origin.scale);
+  };
+  report.first = at(raw.cut->cycle.first());
+  report.last = at(raw.cut->cycle.keys.back());
+  report.closed = centred(body_over_ground(set, cycle, 0), Eigen::Matrix3d::Identity(), 1);
   built.reports.push_back(std::move(report));
   set.cycles.push_back(std::move(cycle));
 }
 
-void add_take(BuiltSet& built, const LoadedTake& take, const SetOptions& options,
-              std::map<std::string, int>& numbers) {
-  const CycleSearch search = find_cycles(take.take, find_contacts(take.take));
-  if (search.candidates.empty()) return refuse(built, take, search.refusal);
-  std::vector<CycleCandidate> good;
-  for (const CycleCandidate& one : search.candidates) {
-    if (one.loop_error_m <= options.most_loop_error_m) good.push_back(one);
+int model_of(const std::vector<LoadedTake>& takes, const SetOptions& options) {
+  for (std::size_t i = 0; i < takes.size(); ++i) {
+    if (!options.skeleton.empty() && takes[i].source.label == options.skeleton) {
+      return static_cast<int>(i);
+    }
   }
-  if (good.empty()) return refuse(built, take, "no cycle of it comes back to where it began");
-  for (const CycleCandidate& cut : best_apart(good, options.cycles_per_take)) {
-    add_cycle(built, take, cut, numbers);
+  return -1;
+}
+
+void order_reports(BuiltSet& built) {
+  std::stable_sort(built.reports.begin(), built.reports.end(),
+                   [](const CycleReport& a, const CycleReport& b) { return a.file < b.file; });
+}
+
+std::vector<Problem> refusals(const BuiltSet& built) {
+  std::vector<Problem> problems;
+  for (const CycleReport& report : built.reports) {
+    problems.push_back({report.file, 0, 0, report.refusal, Severity::error});
   }
+  return problems;
 }
 
 }  // namespace
@@ -168,19 +196,24 @@ BuiltSet build_set(std::vector<TakeSource> sources, const SetOptions& options,
   built.set.name = options.name;
   built.set.credit = options.credit;
   built.set.phases = options.phases;
-  const std::vector<LoadedTake> takes = load_takes(sources, options, built, progress);
-  if (takes.empty()) throw InputError(options.name, "there is no take to cut a cycle from");
-  std::map<std::string, int> numbers;
-  for (const LoadedTake* take : agree_on_skeleton(takes, built)) {
-    add_take(built, *take, options, numbers);
+  built.set.walk = options.walk;
+  built.set.key_phases = options.key_phases;
+  TakeLoader loader(options, built);
+  for (const TakeSource& source : sources) {
+    if (progress) progress(source);
+    loader.load(source);
   }
-  if (built.set.cycles.empty()) {
-    std::vector<Problem> problems;
-    for (const CycleReport& report : built.reports) {
-      problems.push_back({report.file, 0, 0, report.refusal, Severity::error});
-    }
-    throw InputError(problems);
-  }
+  if (!loader.problems().empty()) throw InputError(loader.problems());
+  if (sources.empty()) throw InputError(options.name, "there is no take to cut a cycle from");
+  const SharedSkeleton shared =
+      shared_skeleton(loader.skeletons(), model_of(loader.takes(), options));
+  built.set.skeleton = shared.skeleton;
+  built.set.body = shared.body;
+  std::vector<RawCycle> raw = cut_cycles(loader.takes(), shared, built);
+  if (raw.empty()) throw InputError(refusals(built));
+  if (options.walk) stand_on_one_floor(built.set, raw);
+  for (RawCycle& one : raw) finish(built, std::move(one), options);
+  order_reports(built);
   return built;
 }
 

@@ -10,7 +10,8 @@ namespace promenade::motion {
 namespace {
 
 constexpr std::string_view magic = "PROMSET\n";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
+constexpr std::uint32_t oldest_version = 1;  // had no origins, and walks only
 
 void write(ByteWriter& out, const Skeleton& skeleton) {
   out.count(skeleton.joints.size());
@@ -33,6 +34,15 @@ void write(ByteWriter& out, const BodyMap& body) {
   }
 }
 
+void write(ByteWriter& out, const CycleOrigin& origin) {
+  out.text(origin.sha256);
+  out.f64(origin.frame_time);
+  out.u32(static_cast<std::uint32_t>(origin.cycles_found));
+  for (const double value : {origin.turn, origin.straightness, origin.scale, origin.moved_m}) {
+    out.f64(value);
+  }
+}
+
 void write(ByteWriter& out, const Cycle& cycle) {
   out.text(cycle.name);
   out.text(cycle.style);
@@ -45,6 +55,7 @@ void write(ByteWriter& out, const Cycle& cycle) {
   out.numbers(cycle.root.data(), static_cast<std::size_t>(cycle.root.size()));
   out.numbers(cycle.velocity.data(), 2);
   out.f64(cycle.loop_error_m);
+  write(out, cycle.origin);
 }
 
 // An index from 0 below `size`.
@@ -115,7 +126,18 @@ void check_rotations(const ByteReader& in, const Eigen::Matrix4Xd& rotations) {
   if (!(worst < 1e-6)) in.fail("holds a rotation that is not a unit quaternion");
 }
 
-Cycle read_cycle(ByteReader& in, const MotionSet& set) {
+CycleOrigin read_origin(ByteReader& in) {
+  CycleOrigin origin;
+  origin.sha256 = in.text();
+  origin.frame_time = read_finite(in);
+  origin.cycles_found = read_frame_number(in);
+  for (double* value : {&origin.turn, &origin.straightness, &origin.scale, &origin.moved_m}) {
+    *value = read_finite(in);
+  }
+  return origin;
+}
+
+Cycle read_cycle(ByteReader& in, const MotionSet& set, std::uint32_t found) {
   Cycle cycle;
   cycle.name = in.text();
   cycle.style = in.text();
@@ -132,39 +154,46 @@ Cycle read_cycle(ByteReader& in, const MotionSet& set) {
   read_finite(in, cycle.root);
   read_finite(in, cycle.velocity);
   cycle.loop_error_m = read_finite(in);
+  if (found > 1) cycle.origin = read_origin(in);
   return cycle;
 }
 
-void read_cycles(ByteReader& in, MotionSet& set) {
+void read_cycles(ByteReader& in, MotionSet& set, std::uint32_t found) {
   const std::size_t joints = set.skeleton.joints.size();
   // Bounds F J by the bytes that are there before anything of that size is made.
   const std::size_t cycles = in.count(32 * joints * static_cast<std::size_t>(set.phases));
   if (cycles == 0) in.fail("has no cycles");
   std::set<std::string> names;
   for (std::size_t i = 0; i < cycles; ++i) {
-    set.cycles.push_back(read_cycle(in, set));
+    set.cycles.push_back(read_cycle(in, set, found));
     if (!names.insert(set.cycles.back().name).second) {
       in.fail("has two cycles named " + set.cycles.back().name);
     }
   }
 }
 
-std::string_view checked_content(std::string_view bytes, const std::string& file) {
+struct Content {
+  std::uint32_t version = 0;
+  std::string_view bytes;
+};
+
+Content checked_content(std::string_view bytes, const std::string& file) {
   if (bytes.substr(0, magic.size()) != magic) {
     throw InputError(file, "is not a motion set; make one with `promenade set build`");
   }
   ByteReader head(bytes.substr(magic.size()), file);
   const std::uint32_t found = head.u32();
-  if (found != version) {
+  if (found < oldest_version || found > version) {
     head.fail("is a motion set of version " + std::to_string(found) + ", this program reads " +
-              std::to_string(version) + "; build it again");
+              std::to_string(oldest_version) + " to " + std::to_string(version) +
+              "; build it again");
   }
   const std::uint64_t size = head.u64();
   const std::uint64_t sum = head.u64();
   const std::string_view content = bytes.substr(magic.size() + 20);
   if (content.size() != size) head.fail("is cut or has more at its end; copy or build it again");
   if (checksum(content) != sum) head.fail("is damaged; copy or build it again");
-  return content;
+  return {found, content};
 }
 
 }  // namespace
@@ -178,6 +207,7 @@ std::string to_bytes(const MotionSet& set) {
   out.u32(static_cast<std::uint32_t>(set.phases));
   out.count(set.key_phases.size());
   out.numbers(set.key_phases.data(), set.key_phases.size());
+  out.u32(set.walk ? 1 : 0);
   out.count(set.cycles.size());
   for (const Cycle& cycle : set.cycles) write(out, cycle);
   const std::string content = out.take();
@@ -190,7 +220,8 @@ std::string to_bytes(const MotionSet& set) {
 }
 
 MotionSet from_bytes(std::string_view bytes, const std::string& file) {
-  ByteReader in(checked_content(bytes, file), file);
+  const Content content = checked_content(bytes, file);
+  ByteReader in(content.bytes, file);
   MotionSet set;
   set.name = in.text();
   set.credit = in.text();
@@ -203,7 +234,9 @@ MotionSet from_bytes(std::string_view bytes, const std::string& file) {
   if (keys < 2) in.fail("has fewer than two key phases");
   set.key_phases = read_times(in, keys);
   if (set.key_phases.back() != 1) in.fail("has key phases that do not end at 1");
-  read_cycles(in, set);
+  if (content.version > 1) set.walk = read_index(in, 2, "choice") == 1;
+  if (set.key_phases.size() != 5) set.walk = false;
+  read_cycles(in, set, content.version);
   if (!in.at_end()) in.fail("has more at its end than a motion set; build it again");
   return set;
 }

@@ -1,6 +1,7 @@
 #include "motion/take.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "motion/body_topology.h"
@@ -74,9 +75,10 @@ Take make_take(const Clip& clip, const Figure& figure) {
   take.skeleton = kept_skeleton(clip.skeleton, kept, figure.unit_m);
   take.body = moved_body(figure.body, kept);
   take.frame_time = clip.frame_time;
+  LocalPose local;
   for (int f = 0; f < clip.frames(); ++f) {
-    const LocalPose local = local_pose(clip, f);
-    const WorldPose world = forward_kinematics(clip, f);
+    local_pose(clip, f, local);
+    const WorldPose world = forward_kinematics(clip, local);
     Pose pose;
     pose.root = figure.unit_m * turn * world.positions.col(hips);
     for (std::size_t k = 0; k < kept.size(); ++k) {
@@ -90,6 +92,13 @@ Take make_take(const Clip& clip, const Figure& figure) {
   }
   for (Joint& joint : take.skeleton.joints) joint.offset *= figure.unit_m / clip.frames();
   return take;
+}
+
+Take part(const Take& take, int from, int to) {
+  assert(0 <= from && from <= to && to < take.frames() && "frames of the take");
+  Take rest{take.source, take.skeleton, take.body, take.frame_time, {}, take.first_frame + from, 0};
+  rest.poses.assign(take.poses.begin() + from, take.poses.begin() + to + 1);
+  return rest;
 }
 
 Pose pose_at(const Take& take, double frame) {

@@ -13,12 +13,16 @@ struct Take {
   BodyMap body;
   double frame_time = 0;    // seconds
   std::vector<Pose> poses;  // T
+  int first_frame = 0;      // of the file: where the take begins
   int period = 0;           // frames after which the file began again; 0: never
 
   int frames() const { return static_cast<int>(poses.size()); }
 };
 
 Take make_take(const Clip& clip, const Figure& figure);
+
+// The frames `from` to `to` of a take, both included and within it.
+Take part(const Take& take, int from, int to);
 
 // The pose at a frame and between frames, smooth in velocity. Held at both ends.
 Pose pose_at(const Take& take, double frame);

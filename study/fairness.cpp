@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "motion/models/quantile.h"
+#include "motion/quantile.h"
 
 namespace promenade::study {
 namespace {

@@ -12,7 +12,7 @@ motion::MotionSet load_motion_set(const std::string& name, const std::string& fo
   constexpr std::string_view prefix = "builtin:";
   if (name.rfind(prefix, 0) == 0) {
     if (auto set = motion::builtin_set(name.substr(prefix.size()))) return std::move(*set);
-    throw InputError(name, "there is no built-in motion set of this name");
+    throw InputError(name, "there is no such built-in motion set, only builtin:A, :B and :N");
   }
   const std::string file = (std::filesystem::path(folder) / name).string();
   return motion::from_bytes(read_file(file), file);

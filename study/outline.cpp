@@ -1,5 +1,7 @@
 #include "study/outline.h"
 
+#include <algorithm>
+
 #include "study/toml_parse.h"
 
 namespace promenade::study {
@@ -12,11 +14,11 @@ const TomlValue* find(const TomlValue& table, std::string_view key) {
   return nullptr;
 }
 
-// The text of the first key that an entry of [[section]] has.
-std::vector<std::string> names_in(const TomlValue& root, std::string_view section,
+// The text of the first key that an entry of the list has.
+std::vector<std::string> names_in(const TomlValue& table, std::string_view list_key,
                                   const std::vector<std::string_view>& keys) {
   std::vector<std::string> names;
-  const TomlValue* list = find(root, section);
+  const TomlValue* list = find(table, list_key);
   if (!list) return names;
   for (const TomlValue& entry : list->elements) {
     for (const std::string_view key : keys) {
@@ -29,13 +31,27 @@ std::vector<std::string> names_in(const TomlValue& root, std::string_view sectio
   return names;
 }
 
+std::vector<std::string> targets_in(const TomlValue& root) {
+  std::vector<std::string> names;
+  const TomlValue* tasks = find(root, "task");
+  if (!tasks) return names;
+  for (const TomlValue& task : tasks->elements) {
+    for (const std::string_view list_key : {"targets", "qualities"}) {
+      for (const std::string& name : names_in(task, list_key, {"name", "example"})) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      }
+    }
+  }
+  return names;
+}
+
 }  // namespace
 
 Outline outline_of(std::string_view config_text) {
   try {
     const TomlValue root = parse_toml("", config_text);
     return {names_in(root, "interface", {"name", "type"}), names_in(root, "task", {"name"}),
-            names_in(root, "rating", {"item"})};
+            targets_in(root), names_in(root, "rating", {"item"})};
   } catch (const InputError&) {
     return {};
   }

@@ -11,6 +11,7 @@ namespace promenade::study {
 struct Outline {
   std::vector<std::string> interfaces;  // [[interface]]: name, else type
   std::vector<std::string> tasks;       // [[task]]: name
+  std::vector<std::string> targets;     // and qualities, of all tasks, each once
   std::vector<std::string> ratings;     // [[rating]]: item
 };
 

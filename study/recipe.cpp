@@ -1,110 +1,239 @@
 #include "study/recipe.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "motion/files.h"
+#include "study/recipe_cuts.h"
+#include "study/store.h"
 #include "study/toml_reader.h"
 
 namespace promenade::study {
 namespace {
 
 namespace fs = std::filesystem;
+using motion::GivenCycle;
+using motion::Place;
+using motion::TakeSource;
 
-constexpr std::string_view style_mark = "{style}";
+constexpr double most_frame = 1e9;
+constexpr std::size_t walk_keys = 5;
 
-// Fits a name to a pattern from the left; "*" and {style} take as little as they can.
-// Ends that did not fit are noted, so that the time is bounded by the product of the
-// lengths.
-class Match {
- public:
-  Match(std::string_view name, std::string_view pattern)
-      : name_(name), pattern_(pattern), failed_((name.size() + 1) * (pattern.size() + 1), false) {}
+Place place_of(const TomlTable& table) {
+  return {table.reader().file(), table.place().line, table.place().column};
+}
 
-  bool fits() { return fits(0, 0); }
-  std::string_view style() const { return style_; }  // empty: the pattern has no {style}
+motion::FigureOptions read_figure(const TomlTable& table) {
+  motion::FigureOptions figure;
+  figure.unit_m = table.number("unit_m", 1e-6, 1e3);
+  if (const auto up = table.choice("up", {"y", "z"})) figure.z_up = *up == "z";
+  return figure;
+}
 
- private:
-  // The rest of the name from n, the rest of the pattern from p.
-  bool fits(std::size_t n, std::size_t p) {
-    const std::size_t place = n * (pattern_.size() + 1) + p;
-    if (failed_[place]) return false;
-    const bool found = try_fit(n, p);
-    failed_[place] = !found;
-    return found;
-  }
-
-  bool try_fit(std::size_t n, std::size_t p) {
-    if (p == pattern_.size()) return n == name_.size();
-    if (pattern_[p] == '*') return fits(n, p + 1) || (n < name_.size() && fits(n + 1, p));
-    if (pattern_.substr(p, style_mark.size()) == style_mark) return fits_style(n, p);
-    return n < name_.size() && (pattern_[p] == '?' || pattern_[p] == name_[n]) &&
-           fits(n + 1, p + 1);
-  }
-
-  bool fits_style(std::size_t n, std::size_t p) {
-    for (std::size_t end = n + 1; end <= name_.size(); ++end) {
-      if (!fits(end, p + style_mark.size())) continue;
-      style_ = name_.substr(n, end - n);
-      return true;
-    }
-    return false;
-  }
-
-  std::string_view name_, pattern_, style_;
-  std::vector<bool> failed_;
-};
-
-// Files of the folder that fit, with their styles.
-std::vector<motion::TakeSource> find_takes(const fs::path& folder, const std::string& pattern) {
-  std::vector<motion::TakeSource> takes;
+// For captures in two files (.asf and .amc), and without a frame rate of their own.
+motion::LoadOptions read_load(const TomlTable& table, const fs::path& folder) {
+  motion::LoadOptions load;
+  load.rate = table.number("frames_per_second", 1, 1000);
+  const auto asf = table.text("asf");
+  if (!asf) return load;
+  load.skeleton = (folder / *asf).lexically_normal();
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
-    const std::optional<std::string> style = style_of(name, pattern);
-    if (style) takes.push_back({entry->path().string(), name, *style});
+  if (!fs::is_regular_file(load.skeleton, error)) {
+    table.error("asf", "there is no file " + load.skeleton.string());
   }
-  // The order of a folder differs between machines.
-  std::sort(takes.begin(), takes.end(),
-            [](const auto& a, const auto& b) { return a.label < b.label; });
-  return takes;
+  return load;
 }
 
-void check_pattern(const TomlTable& root, const std::string& pattern) {
-  const auto stars = std::count(pattern.begin(), pattern.end(), '*');
-  if (stars > 4) root.error("files", "at most four * can stand in a pattern");
-  if (pattern.find('/') != pattern.npos) {
-    root.error("files", "is about names of files only; name the folder in `folder`");
+// first, keytimes, last of one [[take.cycle]].
+GivenCycle read_cycle(const TomlTable& table) {
+  GivenCycle cycle;
+  cycle.place = place_of(table);
+  cycle.name = table.text("name").value_or("");
+  table.require("first");
+  table.require("last");
+  const auto first = table.number("first", 0, most_frame);
+  const auto last = table.number("last", 0, most_frame);
+  cycle.frames = table.numbers("keytimes");
+  if (!first || !last) return cycle;
+  cycle.frames.insert(cycle.frames.begin(), *first);
+  cycle.frames.push_back(*last);
+  for (std::size_t k = 1; k < cycle.frames.size(); ++k) {
+    if (cycle.frames[k] > cycle.frames[k - 1]) continue;
+    table.error(cycle.frames.size() > 2 ? "keytimes" : "last",
+                "first, keytimes and last must ascend: they are frames of the file");
+    break;
   }
-  const std::size_t mark = pattern.find(style_mark);
-  if (mark != pattern.npos && pattern.find(style_mark, mark + 1) != pattern.npos) {
-    root.error("files", "{style} can stand only once in a pattern");
+  return cycle;
+}
+
+void read_frames(const TomlTable& table, TakeSource& take) {
+  const auto frame = [&](std::string_view key) -> std::optional<int> {
+    const auto value = table.integer(key, 0, static_cast<std::int64_t>(most_frame));
+    if (!value) return std::nullopt;
+    return static_cast<int>(*value);
+  };
+  if (const auto from = frame("from")) take.from = from;
+  if (const auto to = frame("to")) take.to = to;
+  if (take.from && take.to && *take.from >= *take.to) {
+    table.error("to", "the last frame must come after the first");
   }
 }
 
-void read_takes(const TomlTable& root, const fs::path& folder, const std::string& pattern,
+// One [[take]]: a file that `files` found, or another one.
+void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
+               std::vector<std::string>& named) {
+  const std::string file = table.required_text("file");
+  const auto style = table.text("style");
+  TakeSource own;
+  own.figure = read_figure(table);
+  own.load = read_load(table, folder);
+  read_frames(table, own);
+  for (const TomlTable& cycle : table.tables("cycle")) own.cycles.push_back(read_cycle(cycle));
+  if (file.empty()) return;
+  own.place = place_of(table);
+  own.label = fs::path(file).lexically_normal().generic_string();
+  own.file = (folder / file).lexically_normal().string();
+  if (std::find(named.begin(), named.end(), own.label) != named.end()) {
+    table.error("file", "\"" + file + "\" has a [[take]] already; give it several [[take.cycle]]");
+  }
+  named.push_back(own.label);
+  std::error_code error;
+  if (!fs::is_regular_file(own.file, error)) {
+    table.error("file", "there is no file " + own.file);
+  }
+  const auto found = std::find_if(recipe.takes.begin(), recipe.takes.end(),
+                                  [&](const TakeSource& take) { return take.label == own.label; });
+  own.style = style                         ? *style
+              : found != recipe.takes.end() ? found->style
+                                            : fs::path(file).stem().string();
+  if (own.style.empty()) table.error("style", "\"style\" must not be empty");
+  if (found == recipe.takes.end()) {
+    recipe.takes.push_back(std::move(own));
+  } else {
+    *found = std::move(own);
+  }
+}
+
+// The files of the pattern but for those that `without` names.
+void find_takes(const TomlTable& root, const fs::path& folder, const std::string& pattern,
                 Recipe& recipe) {
+  std::vector<FoundFile> found = find_files(folder, pattern);
+  for (const TomlText& without : root.texts("without")) {
+    const std::string trouble = trouble_with_pattern(without.text);
+    if (!trouble.empty()) root.reader().add(without.place, trouble);
+    const auto left = std::remove_if(found.begin(), found.end(), [&](const FoundFile& file) {
+      return style_of(file.path, without.text).has_value();
+    });
+    if (left == found.end() && trouble.empty()) {
+      root.reader().add(without.place, "no file that `files` finds fits \"" + without.text + "\"",
+                        Severity::warning);
+    }
+    found.erase(left, found.end());
+  }
+  if (found.empty()) {
+    root.error(root.has("files") ? "files" : "folder",
+               "no file in " + folder.string() + " fits \"" + pattern + "\"");
+  }
+  for (const FoundFile& file : found) {
+    recipe.takes.push_back({(folder / file.path).string(), file.path, file.style});
+  }
+}
+
+void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
+  const auto files = root.text("files");
+  const std::vector<TomlTable> tables = root.tables("take");
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
     root.error("folder",
                "there is no folder " + folder.string() + "; give another one with --folder DIR");
     return;
   }
-  recipe.takes = find_takes(folder, pattern);
-  if (recipe.takes.empty()) {
-    root.error(root.has("files") ? "files" : "folder",
-               "no file in " + folder.string() + " fits \"" + pattern + "\"");
+  const std::string pattern = files.value_or("*.bvh");
+  const std::string trouble = trouble_with_pattern(pattern);
+  if (!trouble.empty()) return root.error("files", trouble);
+  if (files || tables.empty()) find_takes(root, folder, pattern, recipe);
+  std::vector<std::string> named;
+  for (const TomlTable& table : tables) read_take(table, folder, recipe, named);
+  const motion::LoadOptions load = read_load(root, folder);
+  for (TakeSource& take : recipe.takes) {
+    if (take.load.skeleton.empty()) take.load.skeleton = load.skeleton;
+    if (!take.load.rate) take.load.rate = load.rate;
+  }
+  if (const auto cuts = root.table("cuts")) apply_cuts(*cuts, folder, recipe.takes);
+  std::sort(recipe.takes.begin(), recipe.takes.end(),
+            [](const TakeSource& a, const TakeSource& b) { return a.label < b.label; });
+}
+
+// Key phases of cycles that are given: named in the recipe, or evenly spaced.
+void read_key_phases(const TomlTable& root, Recipe& recipe) {
+  std::vector<double> phases = root.numbers("key_phases");
+  if (recipe.options.walk) {
+    if (!phases.empty()) root.error("key_phases", "are those of a walk; say motion = \"other\"");
+    return;
+  }
+  if (phases.empty()) {
+    const auto first = std::find_if(recipe.takes.begin(), recipe.takes.end(),
+                                    [](const TakeSource& take) { return !take.cycles.empty(); });
+    const std::size_t steps = first == recipe.takes.end()
+                                  ? 1
+                                  : std::max<std::size_t>(first->cycles[0].frames.size(), 2) - 1;
+    for (std::size_t k = 0; k <= steps; ++k) {
+      phases.push_back(static_cast<double>(k) / static_cast<double>(steps));
+    }
+  }
+  const bool whole = phases.size() >= 2 && phases.front() == 0 && phases.back() == 1;
+  if (!whole ||
+      std::adjacent_find(phases.begin(), phases.end(), std::greater_equal<>()) != phases.end()) {
+    root.error("key_phases", "must ascend from 0 to 1");
+  }
+  recipe.options.key_phases = std::move(phases);
+}
+
+// Given cycles need as many keytimes as the set has; other motions than walks need cycles.
+void check_cycles(const TomlTable& root, const Recipe& recipe) {
+  const std::size_t keys = recipe.options.walk ? walk_keys : recipe.options.key_phases.size();
+  for (const TakeSource& take : recipe.takes) {
+    if (take.cycles.empty() && !recipe.options.walk) {
+      const std::string message = take.label +
+                                  " needs a [[take.cycle]]: cycles of other motions than walks "
+                                  "cannot be found";
+      if (take.place.line > 0) {
+        root.reader().add({take.place.line, take.place.column}, message);
+      } else {
+        root.error("files", message);
+      }
+    }
+    for (const GivenCycle& cycle : take.cycles) {
+      if (cycle.frames.size() == keys) continue;
+      root.reader().add(
+          {cycle.place.line, cycle.place.column},
+          "the cycle needs " + std::to_string(keys - 2) + " keytimes between first and last" +
+              (recipe.options.walk ? ": right foot on, left off, left on" : " as the others have"));
+    }
   }
 }
 
-}  // namespace
-
-std::optional<std::string> style_of(const std::string& file_name, const std::string& pattern) {
-  Match match(file_name, pattern);
-  if (!match.fits()) return std::nullopt;
-  return match.style().empty() ? fs::path(file_name).stem().string() : std::string(match.style());
+void check_skeleton(const TomlTable& root, Recipe& recipe) {
+  recipe.options.skeleton = root.text("skeleton").value_or("");
+  if (recipe.options.skeleton.empty()) return;
+  const bool known =
+      std::any_of(recipe.takes.begin(), recipe.takes.end(),
+                  [&](const TakeSource& take) { return take.label == recipe.options.skeleton; });
+  if (!known) root.error("skeleton", "is not one of the files that the recipe uses");
 }
+
+void read_options(const TomlTable& root, motion::SetOptions& options) {
+  options.cycles_per_take = static_cast<int>(root.integer("cycles_per_take", 1, 20).value_or(1));
+  options.search.most_loop_error_m = root.number("most_loop_error_m", 0, 1).value_or(0.15);
+  if (const auto degrees = root.number("most_turn_deg", 0, 180)) {
+    options.search.most_turn = *degrees * M_PI / 180;
+  }
+  options.figure = read_figure(root);
+  options.walk = root.choice("motion", {"walk", "other"}).value_or("walk") == "walk";
+}
+
+}  // namespace
 
 Recipe load_recipe(const std::string& file, const std::string& folder) {
   const std::string text = read_file(file);
@@ -114,19 +243,29 @@ Recipe load_recipe(const std::string& file, const std::string& folder) {
   recipe.options.name = root.required_text("name");
   recipe.options.credit = root.required_text("credit");
   const std::string own_folder = root.required_text("folder");
-  const std::string pattern = root.text("files").value_or("*.bvh");
-  recipe.options.cycles_per_take =
-      static_cast<int>(root.integer("cycles_per_take", 1, 20).value_or(1));
-  recipe.options.most_loop_error_m = root.number("most_loop_error_m", 0, 1).value_or(0.15);
-  recipe.options.figure.unit_m = root.number("unit_m", 1e-6, 1e3);
-  if (const auto up = root.choice("up", {"y", "z"})) recipe.options.figure.z_up = *up == "z";
-  check_pattern(root, pattern);
+  read_options(root, recipe.options);
   const fs::path place =
       (folder.empty() ? fs::path(file).parent_path() / own_folder : fs::path(folder))
           .lexically_normal();
-  if (reader.ok()) read_takes(root, place, pattern, recipe);
+  read_takes(root, place, recipe);
+  read_key_phases(root, recipe);
+  check_cycles(root, recipe);
+  check_skeleton(root, recipe);
   reader.finish();
   return recipe;
+}
+
+void hash_takes(Recipe& recipe, const std::function<void()>& progress) {
+  std::vector<Problem> problems;
+  for (TakeSource& take : recipe.takes) {
+    if (progress) progress();
+    try {
+      take.sha256 = sha256_hex(read_file(take.file));
+    } catch (const InputError& error) {
+      problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+    }
+  }
+  if (!problems.empty()) throw InputError(problems);
 }
 
 }  // namespace promenade::study

@@ -1,22 +1,25 @@
-// A recipe: which captures become a motion set, and how. One TOML file:
+// A recipe: which captures become a motion set, and how. One TOML file; docs/study-file.md
+// lists every key.
 //
 //   name = "bandai-namco"
 //   credit = "who made the captures, under which terms"
 //   folder = "captures"                  # relative to the recipe
 //   files = "walk_{style}_*.bvh"         # {style} names the style, * is anything
-//   cycles_per_take = 1                  # 1 to 20
-//   most_loop_error_m = 0.15             # loops that close worse are refused
-//   unit_m = 0.01                        # metres per file unit; guessed if left out
-//   up = "y"                             # "y" or "z"; seen from the legs if left out
+//
+//   [[take]]                             # instead of `files`, or to say more about a file
+//   file = "07/07_01.bvh"
+//   style = "normal"
+//   from = 30
 #pragma once
 
 #include "motion/set_builder.h"
+#include "study/file_pattern.h"
 
 namespace promenade::study {
 
 struct Recipe {
   motion::SetOptions options;
-  std::vector<motion::TakeSource> takes;  // sorted by file name
+  std::vector<motion::TakeSource> takes;  // sorted by label
 };
 
 // Reads a recipe and looks for its files. `folder` (relative to where the program runs)
@@ -24,8 +27,8 @@ struct Recipe {
 // problems and their places.
 Recipe load_recipe(const std::string& file, const std::string& folder = {});
 
-// Does the name of a file fit the pattern? Then its style: what {style} stands for, or
-// the whole name without its ending if the pattern has no {style}.
-std::optional<std::string> style_of(const std::string& file_name, const std::string& pattern);
+// Fills in the SHA-256 of every take's file; `progress` is called before each. Throws
+// InputError with all that cannot be read.
+void hash_takes(Recipe& recipe, const std::function<void()>& progress = {});
 
 }  // namespace promenade::study

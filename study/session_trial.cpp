@@ -97,7 +97,7 @@ void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
   ended.t_us = t_us;
   ended.outcome = outcome;
   session.trial_.reset();
-  records.emplace_back(std::move(ended));
+  records.emplace_back(ended);
 }
 
 void Session::Steps::pass_deadlines(std::int64_t t_us) {

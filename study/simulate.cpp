@@ -114,7 +114,7 @@ bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry,
     return make_plan(bundle.study, sequences[static_cast<std::size_t>(index)]);
   };
   Ordered sessions(count, std::max(1, cohort.jobs), [&](int index) {
-    const auto number = static_cast<std::uint64_t>(first + index);
+    const auto number = static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(index);
     const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
     return simulate_session(bundle, registry, plan_of(index), seed);
   });

@@ -1,10 +1,10 @@
 #include "study/store.h"
 
-#include <signal.h>
 #include <unistd.h>
 
 #include <cassert>
 #include <cerrno>
+#include <csignal>
 #include <set>
 
 #include "motion/bytes.h"
@@ -128,7 +128,7 @@ void Store::Implementation::bind_trial(Statement& statement, int column, int tri
 std::string Store::Implementation::participant_uuid(const std::string& code) {
   Statement known(database, "SELECT uuid FROM participant WHERE code = ?");
   if (known.bind(1, code).step()) return known.text(0);
-  const std::string uuid = random_uuid();
+  std::string uuid = random_uuid();
   Statement insert(database, "INSERT INTO participant VALUES (?,?)");
   insert.bind(1, uuid).bind(2, code).run();
   return uuid;

@@ -147,7 +147,7 @@ void add_blend(CLI::App& model) {
   };
   auto* command = model.add_subcommand("blend", "The cycle of blend weights, as joint positions");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_option("--weights", given->weights, "w1,w2,...: one for each cycle, sum 1")
       ->required();
   command->add_flag("--csv", given->csv, "Rows of frame, joint, x, y, z");
@@ -162,7 +162,7 @@ void add_features(CLI::App& model) {
   };
   auto* command = model.add_subcommand("features", "The 51 motion features of every cycle");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_flag("--csv", given->csv, "A row for each cycle");
   command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
   command->callback([given] { show_features(given->set, given->csv); });

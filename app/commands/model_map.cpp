@@ -199,7 +199,7 @@ void show(const Arguments& given) {
 void add_model_map(CLI::App& model) {
   auto* command = model.add_subcommand("map", "Where the cycles lie on the minimap, and pictures");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_option("--at", given->at, "x,y: this point under each heuristic");
   command->add_option("--picture", given->picture, "FILE.svg, .pdf or .png: the map");
   command->add_option("--heuristics", given->heuristics,

@@ -9,6 +9,7 @@
 #include "motion/bvh.h"
 #include "motion/files.h"
 #include "motion/load_clip.h"
+#include "motion/scanner.h"
 
 namespace promenade::app {
 namespace {
@@ -90,12 +91,13 @@ Json info_json(const motion::Clip& clip) {
 }
 
 // All files are read before anything is said, so that all problems come at once.
-std::vector<motion::Clip> load_all(const std::vector<std::string>& files) {
+std::vector<motion::Clip> load_all(const std::vector<std::string>& files,
+                                   const motion::LoadOptions& options) {
   std::vector<motion::Clip> clips;
   std::vector<Problem> problems;
   for (const std::string& file : files) {
     try {
-      clips.push_back(motion::load_clip(file));
+      clips.push_back(motion::load_clip(file, options));
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     }
@@ -112,9 +114,10 @@ void print_plainly(const Json& info) {
               info["frames"].get<int>(), info["seconds"].dump().c_str(), up.c_str(), hips.c_str());
 }
 
-void show_info(const std::vector<std::string>& files, bool json) {
+void show_info(const std::vector<std::string>& files, const motion::LoadOptions& options,
+               bool json) {
   Json list = Json::array();
-  for (const motion::Clip& clip : load_all(files)) list.push_back(info_json(clip));
+  for (const motion::Clip& clip : load_all(files, options)) list.push_back(info_json(clip));
   if (json) return print_json(list);
   for (const Json& info : list) {
     print_plainly(info);
@@ -168,59 +171,86 @@ Json frame_json(const motion::Clip& clip, int frame) {
   return {{"frame", frame}, {"positions", positions}};
 }
 
-void show_positions(const std::string& file, const std::string& frames) {
-  const motion::Clip clip = motion::load_clip(file);
-  Json result = {{"file", file}, {"unit", "file"}, {"joints", Json::array()}};
-  for (const motion::Joint& joint : clip.skeleton.joints) result["joints"].push_back(joint.name);
-  result["frames"] = Json::array();
-  for (const int frame : frame_list(clip, frames))
-    result["frames"].push_back(frame_json(clip, frame));
-  print_problems(clip.warnings);
-  print_json(result);
+std::string line_of(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void convert(const std::string& in, const std::string& out) {
-  const motion::Clip clip = motion::load_clip(in);
+// Written frame by frame: a long take has more numbers than memory should hold as JSON.
+void show_positions(const std::string& file, const std::string& frames,
+                    const motion::LoadOptions& options) {
+  const motion::Clip clip = motion::load_clip(file, options);
+  const std::vector<int> list = frame_list(clip, frames);
+  print_problems(clip.warnings);
+  Json joints = Json::array();
+  for (const motion::Joint& joint : clip.skeleton.joints) joints.push_back(joint.name);
+  print_text("{\"file\": " + line_of(file) +
+             ", \"unit\": \"file\",\n\"joints\": " + line_of(joints) + ",\n\"frames\": [");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    print_text((i == 0 ? "\n" : ",\n") + line_of(frame_json(clip, list[i])));
+  }
+  print_text("\n]}\n");
+}
+
+void convert(const std::string& in, const std::string& out, const motion::LoadOptions& options) {
+  if (!motion::same_word(std::filesystem::path(out).extension().string(), ".bvh")) {
+    throw InputError(out, "would be a BVH file; give it a name that ends in .bvh");
+  }
+  const motion::Clip clip = motion::load_clip(in, options);
   print_problems(clip.warnings);
   write_file(out, motion::bvh_text(clip));
+}
+
+void add_load_options(CLI::App& command, motion::LoadOptions& options) {
+  command.add_option("--skeleton", options.skeleton,
+                     "The .asf file of an .amc; looked for beside it if not given");
+  command
+      .add_option("--rate", options.rate,
+                  "Frames a second of an .amc, which does not say it; 120 if not given")
+      ->check(CLI::Range(1.0, 10000.0));
 }
 
 void add_info(CLI::App& motion_command) {
   struct Arguments {
     std::vector<std::string> files;
+    motion::LoadOptions load;
     bool json = false;
   };
   auto* command = motion_command.add_subcommand("info", "What capture files hold");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("files", given->files, "Captures (.bvh)")->required();
+  command->add_option("files", given->files, "Captures (.bvh, .amc)")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { show_info(given->files, given->json); });
+  add_load_options(*command, given->load);
+  command->callback([given] { show_info(given->files, given->load, given->json); });
 }
 
 void add_positions(CLI::App& motion_command) {
   struct Arguments {
     std::string file;
     std::string frames;
+    motion::LoadOptions load;
     bool json = false;
   };
   auto* command = motion_command.add_subcommand(
       "positions", "Joint positions by forward kinematics, as JSON, in units and axes of the file");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("file", given->file, "A capture (.bvh)")->required();
+  command->add_option("file", given->file, "A capture (.bvh, .amc)")->required();
   command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
-  command->callback([given] { show_positions(given->file, given->frames); });
+  add_load_options(*command, given->load);
+  command->callback([given] { show_positions(given->file, given->frames, given->load); });
 }
 
 void add_convert(CLI::App& motion_command) {
   struct Arguments {
     std::string in, out;
+    motion::LoadOptions load;
   };
   auto* command = motion_command.add_subcommand("convert", "Any readable capture to plain BVH");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("in", given->in, "A capture (.bvh)")->required();
+  command->add_option("in", given->in, "A capture (.bvh, .amc)")->required();
   command->add_option("out", given->out, "The file to write (.bvh)")->required();
-  command->callback([given] { convert(given->in, given->out); });
+  add_load_options(*command, given->load);
+  command->callback([given] { convert(given->in, given->out, given->load); });
 }
 
 }  // namespace

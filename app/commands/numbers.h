@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "study/csv.h"
+
 namespace promenade::app {
 
 // A whole number in the C notation, finite, whatever the locale; else nothing.
@@ -18,14 +20,8 @@ Eigen::VectorXd parse_numbers(const std::string& option, const std::string& text
 // For JSON.
 std::vector<double> to_list(const Eigen::Ref<const Eigen::VectorXd>& values);
 
-struct CsvRow {
-  int line = 0;  // from 1
-  std::vector<std::string> cells;
-};
-
-// Rows of comma-separated text (RFC 4180: quotes, CRLF); empty lines are left out. A
-// byte order mark is skipped.
-std::vector<CsvRow> parse_csv(std::string_view text);
+using study::CsvRow;
+using study::parse_csv;
 
 // Quoted when it must be.
 std::string csv_cell(std::string_view text);

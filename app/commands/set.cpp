@@ -8,6 +8,8 @@
 #include <set>
 
 #include "app/commands.h"
+#include "app/commands/cycle_picture.h"
+#include "app/commands/set_report.h"
 #include "app/print.h"
 #include "motion/bvh.h"
 #include "motion/cycle_clip.h"
@@ -19,121 +21,15 @@
 namespace promenade::app {
 namespace {
 
-std::string table_row(const motion::MotionSet& set, const motion::CycleReport& report) {
-  if (report.cycle.empty()) return fmt::format("refused: {}: {}\n", report.file, report.refusal);
-  const int index = motion::find_cycle(set, report.cycle);
-  const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(index)];
-  return fmt::format("{:20} {:36} {:7} {:6} {:7.3f} {:7.1f} {:7.1f} {:6.1f} {:6.1f} {:7.1f}\n",
-                     cycle.name, cycle.source, cycle.first_frame, cycle.frames, cycle.seconds,
-                     1e3 * report.seam.gap_m, 1e3 * report.seam.inside_m,
-                     1e3 * std::max(report.slide_left_m, report.slide_right_m),
-                     1e3 * cycle.loop_error_m, 1e3 * report.from_capture_m);
-}
-
-std::string table(const motion::BuiltSet& built) {
-  std::string text = fmt::format("{:20} {:36} {:>7} {:>6} {:>7} {:>7} {:>7} {:>6} {:>6} {:>7}\n",
-                                 "cycle", "source", "first", "frames", "seconds", "seam", "inside",
-                                 "slide", "loop", "moved");
-  for (const motion::CycleReport& report : built.reports) text += table_row(built.set, report);
-  text += fmt::format(
-      "{} cycles of {} joints. seam, inside: largest jump of a joint in 1/60 s, at "
-      "the seam and elsewhere; slide: of a standing foot;\nloop: gap before it was "
-      "closed; moved: largest change of a joint from the capture; all in mm\n",
-      built.set.size(), built.set.skeleton.size());
-  return text;
-}
-
-Json report_json(const motion::BuiltSet& built) {
-  Json list = Json::array();
-  for (const motion::CycleReport& report : built.reports) {
-    if (report.cycle.empty()) {
-      list.push_back({{"source", report.file}, {"refusal", report.refusal}});
-      continue;
-    }
-    list.push_back({{"source", report.file},
-                    {"cycle", report.cycle},
-                    {"seam_m", report.seam.gap_m},
-                    {"inside_m", report.seam.inside_m},
-                    {"slide_left_m", report.slide_left_m},
-                    {"slide_right_m", report.slide_right_m},
-                    {"moved_m", report.from_capture_m},
-                    {"lowered_m", report.plant.lowered_m},
-                    {"speed_change", report.plant.speed_change}});
-  }
-  return list;
-}
-
 struct BuildArguments {
-  std::string recipe, out, folder;
+  std::string recipe, out, folder, pictures;
   bool json = false;
 };
 
-void build(const BuildArguments& given) {
-  const study::Recipe recipe = study::load_recipe(given.recipe, given.folder);
-  const int count = static_cast<int>(recipe.takes.size());
-  const motion::BuiltSet built = motion::build_set(
-      recipe.takes, recipe.options, [count, done = 0](const motion::TakeSource&) mutable {
-        show_progress("reading take", ++done, count);
-      });
-  print_problems(built.warnings);
-  write_file(given.out, motion::to_bytes(built.set));
-  if (given.json) return print_json(report_json(built));
-  print_text(table(built));
-}
-
-Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Json skeleton_json(const motion::MotionSet& set) {
-  Json joints = Json::array(), ends = Json::array(), body = Json::object();
-  const auto name = [&set](int joint) {
-    return joint < 0 ? Json() : Json(set.skeleton.joints[static_cast<std::size_t>(joint)].name);
-  };
-  for (const motion::Joint& joint : set.skeleton.joints) {
-    joints.push_back({{"name", joint.name},
-                      {"parent", name(joint.parent)},
-                      {"offset", vector_json(joint.offset)}});
-  }
-  for (const motion::EndSite& site : set.skeleton.end_sites) {
-    ends.push_back({{"joint", name(site.joint)}, {"offset", vector_json(site.offset)}});
-  }
-  for (std::size_t b = 0; b < motion::body_joint_count; ++b) {
-    const auto part = motion::body_joint_name(static_cast<motion::BodyJoint>(b));
-    body[std::string(part)] = name(set.body.joint[b]);
-  }
-  return {{"joints", joints}, {"end_sites", ends}, {"body", body}};
-}
-
-Json cycle_json(const motion::Cycle& cycle) {
-  return {{"name", cycle.name},
-          {"style", cycle.style},
-          {"source", cycle.source},
-          {"first_frame", cycle.first_frame},
-          {"frames", cycle.frames},
-          {"seconds", cycle.seconds},
-          {"keytimes", cycle.keytimes},
-          {"loop_error_m", cycle.loop_error_m},
-          {"velocity", {cycle.velocity.x(), cycle.velocity.y()}}};
-}
-
 void show_info(const std::string& name, bool json) {
   const motion::MotionSet set = study::load_motion_set(name, "");
-  if (!json) {
-    print_text(fmt::format("{}: {} cycles, {} joints\n{}\n", set.name, set.size(),
-                           set.skeleton.size(), set.credit));
-    for (const motion::Cycle& cycle : set.cycles) {
-      print_text(fmt::format("{:20} {:36} {:7.3f} s\n", cycle.name, cycle.source, cycle.seconds));
-    }
-    return;
-  }
-  Json cycles = Json::array();
-  for (const motion::Cycle& cycle : set.cycles) cycles.push_back(cycle_json(cycle));
-  print_json({{"name", set.name},
-              {"credit", set.credit},
-              {"cycles", cycles},
-              {"skeleton", skeleton_json(set)},
-              {"phases", set.phases},
-              {"key_phases", set.key_phases},
-              {"unit", "m"}});
+  if (json) return print_json(info_json(set));
+  print_text(info_table(set));
 }
 
 // Names come from a file: they must not lead out of the folder.
@@ -148,6 +44,46 @@ std::string safe_name(const std::string& name, std::set<std::string>& taken) {
   for (int copy = 2; !taken.insert(unique).second; ++copy)
     unique = safe + "_" + std::to_string(copy);
   return unique;
+}
+
+void write_pictures(const motion::BuiltSet& built, const std::string& folder) {
+  std::set<std::string> taken;
+  for (const motion::CycleReport& report : built.reports) {
+    if (report.cycle.empty()) continue;
+    const auto path = std::filesystem::path(folder) / (safe_name(report.cycle, taken) + ".svg");
+    write_file(path, cycle_picture(built, report));
+  }
+  std::fprintf(stderr, "%d pictures written to %s\n", built.set.size(), folder.c_str());
+}
+
+// Counts what is done, and ends it when somebody wants that.
+class Steps {
+ public:
+  Steps(std::string what, std::size_t count)
+      : what_(std::move(what)), count_(static_cast<int>(count)) {}
+  void next() {
+    if (interrupted()) throw OutsideError("stopped before the set was built; nothing is written");
+    show_progress(what_, ++done_, count_);
+  }
+
+ private:
+  std::string what_;
+  int count_, done_ = 0;
+};
+
+void build(const BuildArguments& given) {
+  study::Recipe recipe = study::load_recipe(given.recipe, given.folder);
+  Steps hashing("checksum of take", recipe.takes.size());
+  study::hash_takes(recipe, [&] { hashing.next(); });
+  recipe.options.keep_takes = !given.pictures.empty();
+  Steps reading("reading take", recipe.takes.size());
+  const motion::BuiltSet built = motion::build_set(
+      recipe.takes, recipe.options, [&](const motion::TakeSource&) { reading.next(); });
+  print_problems(built.warnings);
+  write_file(given.out, motion::to_bytes(built.set));
+  if (!given.pictures.empty()) write_pictures(built, given.pictures);
+  if (given.json) return print_json(build_json(built));
+  print_text(build_table(built));
 }
 
 void export_set(const std::string& name, const std::string& folder) {
@@ -166,6 +102,9 @@ void add_build(CLI::App& set_command) {
   command->add_option("recipe", given->recipe, "A recipe (.toml)")->required();
   command->add_option("--out", given->out, "The motion set to write")->required();
   command->add_option("--folder", given->folder, "Where the captures lie, if not where it says");
+  command->add_option("--pictures", given->pictures,
+                      "A folder for one picture (SVG) of every cycle: where it was found, how it "
+                      "closes");
   command->add_flag("--json", given->json, "One JSON document on stdout");
   command->callback([given] { build(*given); });
 }
@@ -177,7 +116,7 @@ void add_info(CLI::App& set_command) {
   };
   auto* command = set_command.add_subcommand("info", "What a motion set holds");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_flag("--json", given->json, "One JSON document on stdout");
   command->callback([given] { show_info(given->set, given->json); });
 }
@@ -188,7 +127,7 @@ void add_export(CLI::App& set_command) {
   };
   auto* command = set_command.add_subcommand("export", "One BVH file for every cycle");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A")->required();
+  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_option("--out", given->out, "The folder to write to")->required();
   command->callback([given] { export_set(given->set, given->out); });
 }

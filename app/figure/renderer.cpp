@@ -28,8 +28,9 @@ void declare_attributes() {
   std::size_t offset = 0;
   for (GLuint k = 0; k < floats.size(); ++k) {
     glEnableVertexAttribArray(k);
-    glVertexAttribPointer(k, floats[k], GL_FLOAT, GL_FALSE, sizeof(PartQuad),
-                          reinterpret_cast<const void*>(offset));
+    // OpenGL wants the offset as a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* start = reinterpret_cast<const void*>(offset);
+    glVertexAttribPointer(k, floats[k], GL_FLOAT, GL_FALSE, sizeof(PartQuad), start);
     glVertexAttribDivisor(k, 1);
     offset += sizeof(float) * static_cast<std::size_t>(floats[k]);
   }

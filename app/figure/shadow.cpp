@@ -85,6 +85,7 @@ void Shadow::splat_part(const Part& part, const Eigen::Vector3f& light) {
 }
 
 void Shadow::resolve() {
+  std::size_t i = 0;
   for (int row = 0; row < shadow_size; ++row) {
     const Between z = coarse_place(row);
     const float* near_line = coarse_.data() + z.first * coarse_size;
@@ -94,9 +95,9 @@ void Shadow::resolve() {
       const Between x = coarse_place(column);
       const float low = mixed(x.first);
       const float vague = low + x.share * (mixed(x.first + 1) - low);
-      const auto i = static_cast<std::size_t>(row * shadow_size + column);
       // Light that is left after the density, in the form that needs no exp.
       texels_[i] = 1 / (1 + fine_[i] + vague);
+      ++i;
     }
   }
 }

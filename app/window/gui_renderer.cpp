@@ -4,6 +4,8 @@
 #include <epoxy/gl.h>
 #include <imgui.h>
 
+#include <cstdint>
+
 namespace promenade::app {
 
 GuiRenderer::GuiRenderer() { ImGui_ImplOpenGL3_Init("#version 330 core"); }

@@ -90,18 +90,20 @@ void pleasure(GaitStyle& style) {
 }
 
 void contentment(GaitStyle& style) {
-  style.feet.toe_out = 14;
-  style.feet.half_width = 0.065;
-  style.pelvis.list = 6;
+  style.feet.toe_out = 18;
+  style.feet.half_width = 0.07;
+  style.pelvis.list = 7;
   style.pelvis.rotation = 6;
-  style.trunk.lean = -7;
-  style.head.tilt = 4;
-  style.head.pitch = 2;
+  style.trunk.lean = -10;
+  style.head.tilt = 7;
+  style.head.pitch = -5;
   style.arms.swing = 15;
   style.arms.centre = -12;
-  style.arms.outward = 13;
+  style.arms.outward = 18;
   style.arms.elbow = 24;
   style.arms.lag = 0.06;
+  style.pelvis.sway = 0.028;
+  style.trunk.sway = 4;
 }
 
 void sleepiness(GaitStyle& style) {

@@ -43,7 +43,7 @@ void wide(GaitStyle& style) {
   style.character.weight += 0.3;
 }
 
-// One walk a line reads better than one brace a line.
+// A walk is a line or two, not one brace a line.
 // clang-format off
 constexpr Member crouching_members[] = {
     {"sneaking", -0.1, 0.2, {{high_steps, 1.2}, {bent_elbows, 0.6}, {on_toes, 0.35},
@@ -126,13 +126,13 @@ constexpr Member wide_members[] = {
      {bent_elbows, -0.2}}},
     {"sumo", 0, 0.3, {{wide_stance, 0.8}, {soft_knees, 1.6}, {swaying, 0.8}, {high_steps, 0.6},
      {fast, -0.6}, {arms_forward, 0.5}}},
-    {"gorilla", -0.2, 0.4, {{leaning_forward, 1}, {soft_knees, 0.9}, {arms_out, 0.9},
-     {swaying, 0.8}, {bent_elbows, -0.4}, {arms_forward, 0.3}}},
+    {"gorilla", -0.2, 0.4, {{leaning_forward, 1.9}, {soft_knees, 1.4}, {arms_out, 0.8},
+     {swaying, 1}, {bent_elbows, -0.4}, {head_down, -0.5}, {shoulders_up, 0.8}}},
     {"giant", 0, 0.2, {{long_steps, 1.2}, {fast, -0.6}, {high_steps, 0.6}, {arms_out, 0.4},
      {head_down, 0.6}, {swinging, 0.6}}},
     {"macho", 0.2, 0.5, {{chest_out, 0.6}, {swinging, 0.8}, {rolling_hips, -0.5}, {fast, 0.5}}},
-    {"toddler", 0.6, 0.5, {{long_steps, -1.6}, {swaying, 0.8}, {bent_elbows, 0.6},
-     {arms_out, 1.3}, {still_arms, 0.8}, {high_steps, 0.3}, {wide_stance, -0.3}}},
+    {"toddler", 0.6, 0.5, {{long_steps, -1.6}, {swaying, 0.8}, {still_arms, 0.8},
+     {high_steps, 0.3}, {wide_stance, -0.3}}, with_hands_up},
     {"gunslinger", -0.2, 0.3, {{still_arms, 0.8}, {leaning_forward, 0.5}, {arms_forward, -0.6},
      {arms_out, 0.3}, {fast, -0.6}}},
     {"sailor", 0.5, 0.2, {{swaying, 1.6}, {rolling_hips, 0.7}, {toes_out, 0.4}, {swinging, 0.3},
@@ -150,7 +150,7 @@ constexpr Member wide_members[] = {
      {bent_elbows, 0.5}, {head_down, -0.3}}},
     {"rider", 0.1, -0.1, {{toes_out, -0.5}, {soft_knees, 0.9}, {arms_forward, 0.4},
      {still_arms, 0.6}, {wide_stance, 0.5}, {bent_elbows, 0.3}}},
-    {"weightlifter", 0.1, 0.3, {{shoulders_up, 0.9}, {arms_out, 1.3}, {still_arms, 0.6},
+    {"weightlifter", 0.1, 0.3, {{shoulders_up, 0.9}, {arms_out, 1}, {still_arms, 0.6},
      {fast, -0.7}, {swaying, 0.4}, {dragging, 0.4}}},
 };
 // clang-format on

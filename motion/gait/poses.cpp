@@ -59,6 +59,8 @@ void with_crossed_arms(GaitStyle& style) { style.arms.twist = 50; }
 
 void with_arms_ahead(GaitStyle& style) { hold(style.arms, 36, 3, 8, 6); }
 
+void with_hands_up(GaitStyle& style) { hold(style.arms, 16, 62, 4, 104); }
+
 void with_folded_hands(GaitStyle& style) {
   hold(style.arms, 6, 5, 48, 34);
   style.feet.toe_out = -3;

@@ -17,6 +17,9 @@ void with_a_bag(GaitStyle& style);
 void with_hands_in_pockets(GaitStyle& style);
 void with_crossed_arms(GaitStyle& style);
 void with_arms_ahead(GaitStyle& style);
+// As who has just learned to walk: ready to fall.
+void with_hands_up(GaitStyle& style);
+
 void with_folded_hands(GaitStyle& style);
 void looking_around(GaitStyle& style);
 void like_a_machine(GaitStyle& style);

@@ -1,5 +1,6 @@
 #include "motion/gait/upper_body.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/gait/curve.h"
@@ -9,6 +10,8 @@ namespace promenade::motion::gait {
 namespace {
 
 using Eigen::Quaterniond;
+
+constexpr double straightest_elbow = 4;  // degrees: an elbow never overstretches
 
 double chest_yaw(const GaitStyle& style, double stride) {
   return style.trunk.rotation * wave(stride, style.trunk.rotation_peak, style.crispness);
@@ -53,7 +56,8 @@ ArmTurns arm_turns(const GaitStyle& style, Side side, double stride) {
   const double swing = wave(stride, front, style.crispness);
   const double bend = wave(stride, front + arms.elbow_lag, style.crispness);
   const double drop = wave(stride, front + 2 * arms.elbow_lag, style.crispness);
-  const double elbow = arms.elbow + arms.elbow_swing * bend;
+  const double mean = std::max(arms.elbow, straightest_elbow);
+  const double elbow = mean + std::min(arms.elbow_swing, mean - straightest_elbow) * bend;
   const double yaw = chest_yaw(style, stride);
 
   ArmTurns turns;

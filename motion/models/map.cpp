@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "motion/models/nearest.h"
-#include "motion/models/quantile.h"
+#include "motion/quantile.h"
 
 namespace promenade::motion {
 namespace {

@@ -22,18 +22,18 @@ LoggedSession session(const std::string& code, const std::string& outcome,
 std::string fates(const Selection& selection) {
   std::string text;
   for (const Person& person : selection.people) {
-    text += person.code + ":" + std::to_string(static_cast<int>(person.fate)) + " ";
+    text += person.code + ":" + std::to_string(static_cast<int>(person.disposition)) + " ";
   }
   return text;
 }
 
-TEST(Selection, GivesEveryoneOneFate) {
+TEST(Selection, GivesEveryoneOneDisposition) {
   Log log;
   log.sessions = {session("P1", "declined"), session("P2", "withdrawn"), session("P3", "stopped"),
                   session("P4", "running"), session("P5", "finished")};
   const Selection selection = select(log, {});
   EXPECT_EQ(fates(selection), "P1:0 P2:1 P3:2 P4:2 P5:4 ");
-  EXPECT_EQ(selection.count(Fate::unfinished), 2);
+  EXPECT_EQ(selection.count(Disposition::unfinished), 2);
 }
 
 TEST(Selection, TakesTheFirstFinishedSessionOfAPerson) {
@@ -42,7 +42,7 @@ TEST(Selection, TakesTheFirstFinishedSessionOfAPerson) {
                   session("P1", "finished", "y")};
   const Selection selection = select(log, {});
   ASSERT_EQ(selection.people.size(), 1u);
-  EXPECT_EQ(selection.people[0].fate, Fate::analysed);
+  EXPECT_EQ(selection.people[0].disposition, Disposition::analysed);
   EXPECT_EQ(selection.people[0].session, 1);
 }
 
@@ -62,7 +62,7 @@ TEST(Selection, LeavesOutSimulatedAndPilotUnlessAsked) {
   EXPECT_EQ(strict.left_out_simulated, 1);
   EXPECT_EQ(strict.left_out_pilot, 1);
   const Selection all = select(log, {true, true, ""});
-  EXPECT_EQ(all.count(Fate::analysed), 3);
+  EXPECT_EQ(all.count(Disposition::analysed), 3);
   EXPECT_TRUE(all.any_simulated() && all.any_pilot());
 }
 

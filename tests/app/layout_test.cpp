@@ -1,5 +1,7 @@
 #include "app/layout.h"
 
+#include <gtest/gtest.h>
+
 namespace promenade::app {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "app/line_breaks.h"
 
+#include <gtest/gtest.h>
+
 namespace promenade::app {
 namespace {
 

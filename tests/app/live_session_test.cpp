@@ -1,5 +1,6 @@
 #include "app/live_session.h"
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>

@@ -1,6 +1,8 @@
 // Colours that can be told apart without hues, by computation.
 #include "app/look.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 namespace promenade::app {

@@ -2,6 +2,8 @@
 // names one.
 #include "app/registry.h"
 
+#include <gtest/gtest.h>
+
 #include <set>
 
 #include "study/rng.h"

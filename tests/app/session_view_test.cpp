@@ -1,6 +1,8 @@
 // Whole sessions through the real pages.
 #include "app/session_view.h"
 
+#include <gtest/gtest.h>
+
 #include "study/sqlite.h"
 #include "tests/app/session_bench.h"
 
@@ -108,7 +110,7 @@ std::vector<std::array<float, 4>> outside(SessionBench& bench) {
 
 TEST(SessionView, NothingOutsideThePanelDependsOnTheInterface) {
   std::vector<std::vector<std::array<float, 4>>> seen;
-  for (const std::uint64_t order : {0, 1}) {
+  for (const std::uint64_t order : {0U, 1U}) {
     SessionBench bench("en", order);
     ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
     bench.frame();

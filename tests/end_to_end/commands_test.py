@@ -128,14 +128,20 @@ class Commands(ProgramTest):
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, r"cut\.bvh:\d+(:\d+)?: error: ")
 
-    def test_the_builtin_set_is_described_and_exported(self):
-        info = self.call("set", "info", "builtin:A", "--json")
-        self.assertEqual(info.returncode, 0, info.stderr)
-        cycles = json.loads(info.stdout)["cycles"]
-        self.assertEqual(len(cycles), 10)
-        self.assertEqual(self.call("set", "export", "builtin:A", "--out", "out").returncode, 0)
-        self.assertEqual(sorted(p.stem for p in (self.folder / "out").glob("*.bvh")),
-                         sorted(c["name"] for c in cycles))
+    def test_every_builtin_set_is_described_and_exported(self):
+        for name, walks in (("A", 10), ("B", 27), ("N", 55)):
+            info = self.call("set", "info", f"builtin:{name}", "--json")
+            self.assertEqual(info.returncode, 0, info.stderr)
+            cycles = json.loads(info.stdout)["cycles"]
+            self.assertEqual(len(cycles), walks)
+            self.assertEqual(self.call("set", "export", f"builtin:{name}", "--out", name).returncode, 0)
+            self.assertEqual(sorted(p.stem for p in (self.folder / name).glob("*.bvh")),
+                             sorted(c["name"] for c in cycles))
+
+    def test_an_unknown_builtin_set_is_an_input_error_that_names_the_others(self):
+        result = self.call("set", "info", "builtin:C", "--json")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("builtin:A", result.stderr)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 """`motion` and `set` as their users call them. What is exported is judged by a reader and
 forward kinematics of the test's own: nothing of the program is believed."""
+import hashlib
 import json
 import math
 import unittest
+from xml.etree import ElementTree
 
 from program import ProgramTest
 
@@ -282,6 +284,26 @@ class Set(MotionTest):
         info = self.json_of("set", "info", "x.set", "--json")
         self.assertEqual([c["name"] for c in info["cycles"]], ["stroll_1"])
         self.assertEqual(info["unit"], "m")
+
+    def test_every_cycle_has_its_figures_and_its_picture(self):
+        (self.folder / "takes" / "old").mkdir(parents=True)
+        text = (self.folder / "out" / f"{self.info['cycles'][0]['name']}.bvh").read_text()
+        (self.folder / "takes" / "old" / "<&>_1.bvh").write_text(text)
+        recipe = self.write("r.toml", 'name = "x"\ncredit = "y"\nfolder = "takes"\n'
+                            'files = "{style}/*_1.bvh"\nunit_m = 1\n')
+        self.json_of("set", "build", recipe, "--out", "x.set", "--json", "--pictures", "pictures")
+        root = ElementTree.parse(self.folder / "pictures" / "old_1.svg").getroot()
+        self.assertIn("svg", root.tag)
+        cycle, = self.json_of("set", "info", "x.set", "--json")["cycles"]
+        self.assertEqual(cycle["source"], "old/<&>_1.bvh")
+        self.assertEqual(cycle["source_sha256"], hashlib.sha256(text.encode()).hexdigest())
+        self.assertLess(cycle["seam_velocity_jump_m_s"], cycle["inside_velocity_jump_m_s"])
+        self.assertLess(max(cycle["stance_slide_left_m"], cycle["stance_slide_right_m"]), 0.008)
+        self.assertLess(cycle["penetration_m"], 0.003)
+        self.assertTrue(0 < cycle["double_support"] < 0.4)
+        self.assertEqual([c["foot"] for c in cycle["contacts"]], ["right", "left"])
+        self.assertEqual(cycle["contacts"][0]["on"], cycle["keytimes"][1])
+        self.assertEqual(cycle["scale"], 1)
 
     def test_a_broken_set_file_is_refused(self):
         for text in ("", "PROMSET\n", "no set at all"):

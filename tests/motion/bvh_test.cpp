@@ -169,6 +169,8 @@ std::vector<Broken> broken_files() {
       {"LongLine", replaced(t, "5 90 0", "5 90 0 0"), 19, 14, "holds 7 values"},
       {"UnclosedBlock", replaced(t, "}\nMOTION", "MOTION"), 15, 1, "closed by '}'"},
       {"NoName", replaced(t, "JOINT Leg", "JOINT"), 6, 3, "without a name"},
+      {"LongName", replaced(t, "JOINT Leg", "JOINT " + std::string(1001, 'x')), 6, 3,
+       "1000 letters"},
       {"NoJoint", "HIERARCHY\n" + toy_motion, 2, 1, "no joint"}};
 }
 

@@ -8,11 +8,14 @@ namespace promenade::motion {
 namespace {
 
 // Four cycles of a generated walker, of which it is known when its feet are down.
-Take recorded(const MotionSet& set, const Cycle& cycle) {
-  FigureOptions metres;
-  metres.unit_m = 1;
-  const Clip clip = walker_clip(set, cycle, 4);
-  return make_take(clip, find_figure(clip, metres));
+Take recorded(const MotionSet& set, const Cycle& cycle) { return walker_take(set, cycle, 4); }
+
+// Every second frame only.
+Take half_the_rate(Take take) {
+  for (std::size_t f = 0; 2 * f < take.poses.size(); ++f) take.poses[f] = take.poses[2 * f];
+  take.poses.resize((take.poses.size() + 1) / 2);
+  take.frame_time *= 2;
+  return take;
 }
 
 // Seconds between a time and the nearest of the landings, or leavings, of a foot.
@@ -37,6 +40,31 @@ TEST(FootContacts, BeginWhenTheHeelStrikesAndEndWhenTheToeLeaves) {
     EXPECT_LT(gap(take, found.left, &Stance::on, later + keys[3]), 0.02) << cycle.name;
     EXPECT_LT(gap(take, found.right, &Stance::off, later + keys[4]), 0.02) << cycle.name;
     EXPECT_LT(gap(take, found.left, &Stance::off, later + keys[2]), 0.02) << cycle.name;
+  }
+}
+
+TEST(FootContacts, AreFoundAtThirtyFramesASecondToo) {
+  const MotionSet set = builtin_set("A").value();
+  for (const Cycle& cycle : set.cycles) {
+    const Take take = half_the_rate(recorded(set, cycle));
+    const FootContacts found = find_contacts(take);
+    const std::vector<double>& keys = cycle.keytimes;
+    EXPECT_LT(gap(take, found.right, &Stance::on, cycle.seconds + keys[1]), 0.025) << cycle.name;
+    EXPECT_LT(gap(take, found.left, &Stance::off, cycle.seconds + keys[2]), 0.025) << cycle.name;
+  }
+}
+
+// The floor of a capture that is tilted by 1 %: all is as before, but for the foot that
+// comes down from above the slope behind it (2 cm/s: 40 ms at the most).
+TEST(FootContacts, AreFoundOnAFloorThatIsNotLevel) {
+  const MotionSet set = builtin_set("A").value();
+  for (const Cycle& cycle : set.cycles) {
+    Take take = recorded(set, cycle);
+    for (Pose& pose : take.poses) pose.root.y() += 0.01 * pose.root.z();
+    const FootContacts found = find_contacts(take);
+    const std::vector<double>& keys = cycle.keytimes;
+    EXPECT_LT(gap(take, found.right, &Stance::on, cycle.seconds + keys[1]), 0.045) << cycle.name;
+    EXPECT_LT(gap(take, found.right, &Stance::off, cycle.seconds + keys[4]), 0.025) << cycle.name;
   }
 }
 

@@ -43,6 +43,35 @@ TEST(PlantFeet, KeepsBonesAndTheLoop) {
   EXPECT_LT(seam(set, cycle).position_m, 1e-4);
 }
 
+TEST(PlantFeet, LiftsAFootThatSinks) {
+  const MotionSet set = walkers();
+  Cycle cycle = set.cycles[0];
+  for (int f = 30; f <= 34; ++f) {
+    cycle.root(1, f) -= 0.03 * std::pow(std::sin(M_PI * (f - 29) / 6.0), 2);
+  }
+  EXPECT_GT(penetration_m(set, cycle), 0.02);
+  plant_feet(set, cycle);
+  EXPECT_LT(penetration_m(set, cycle), 0.004);
+  EXPECT_LT(slide(set, cycle), 0.008);
+}
+
+TEST(PlantFeet, StandsBothFeetAtOneHeight) {
+  const MotionSet set = walkers();
+  Cycle cycle = set.cycles[0];
+  const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitZ()));
+  const int joints = set.skeleton.size();
+  for (int f = 0; f < set.phases; ++f) {
+    auto pelvis_turn = cycle.rotations.col(f * joints);
+    pelvis_turn = (tilt * Eigen::Quaterniond(Eigen::Vector4d(pelvis_turn))).coeffs();
+  }
+  const auto apart = [&] {
+    return std::abs(toe_level(set, cycle, Side::left) - toe_level(set, cycle, Side::right));
+  };
+  EXPECT_GT(apart(), 0.01);
+  plant_feet(set, cycle);
+  EXPECT_LT(apart(), 0.002);
+}
+
 TEST(Seam, ShowsAJumpInOneJoint) {
   const MotionSet set = walkers();
   Cycle cycle = set.cycles[0];

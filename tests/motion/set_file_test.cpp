@@ -42,7 +42,7 @@ TEST(SetFile, ComesBackByteForByte) {
 TEST(SetFile, IsLittleEndianWithItsMagicInFront) {
   const std::string bytes = to_bytes(toy_set(1));
   EXPECT_EQ(bytes.substr(0, 8), "PROMSET\n");
-  EXPECT_EQ(bytes.substr(8, 4), std::string("\1\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(8, 4), std::string("\2\0\0\0", 4));
   EXPECT_EQ(bytes.substr(28, 8), std::string("\4\0\0\0toys", 8));
 }
 
@@ -72,6 +72,52 @@ TEST(SetFile, WithAGoodChecksumOverBadContentIsReadOrRefusedAndNothingElse) {
     }
   }
   EXPECT_GT(refused, 100);
+}
+
+// What the first version wrote: no origins, no kind of motion.
+std::string first_version(const MotionSet& set) {
+  ByteWriter out;
+  out.text(set.name);
+  out.text(set.credit);
+  out.count(set.skeleton.joints.size());
+  for (const Joint& joint : set.skeleton.joints) {
+    out.text(joint.name);
+    out.u32(static_cast<std::uint32_t>(joint.parent + 1));
+    out.numbers(joint.offset.data(), 3);
+  }
+  out.count(0);  // end sites
+  for (std::size_t b = 0; b < body_joint_count; ++b) {
+    out.u32(static_cast<std::uint32_t>(set.body.joint[b]));
+    out.u32(set.body.borrowed[b] ? 1 : 0);
+  }
+  out.u32(static_cast<std::uint32_t>(set.phases));
+  out.count(set.key_phases.size());
+  out.numbers(set.key_phases.data(), set.key_phases.size());
+  out.count(set.cycles.size());
+  for (const Cycle& cycle : set.cycles) {
+    for (const std::string* text : {&cycle.name, &cycle.style, &cycle.source}) out.text(*text);
+    out.u32(static_cast<std::uint32_t>(cycle.first_frame));
+    out.u32(static_cast<std::uint32_t>(cycle.frames));
+    out.f64(cycle.seconds);
+    out.numbers(cycle.keytimes.data(), cycle.keytimes.size());
+    out.numbers(cycle.rotations.data(), static_cast<std::size_t>(cycle.rotations.size()));
+    out.numbers(cycle.root.data(), static_cast<std::size_t>(cycle.root.size()));
+    out.numbers(cycle.velocity.data(), 2);
+    out.f64(cycle.loop_error_m);
+  }
+  const std::string content = out.take();
+  ByteWriter head;
+  head.u32(1);
+  head.u64(content.size());
+  head.u64(checksum(content));
+  return "PROMSET\n" + head.take() + content;
+}
+
+TEST(SetFile, OfTheFirstVersionIsStillRead) {
+  MotionSet set = toy_set(3);
+  set.skeleton.end_sites.clear();
+  const MotionSet back = from_bytes(first_version(set), "x.set");
+  EXPECT_EQ(to_bytes(back), to_bytes(set));
 }
 
 TEST(SetFile, OfAnotherKindOrVersionSaysSo) {

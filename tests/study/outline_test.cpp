@@ -14,6 +14,14 @@ TEST(Outline, NamesInterfacesByNameElseByTypeInTheOrderOfTheFile) {
   EXPECT_EQ(outline.ratings, std::vector<std::string>{"ease"});
 }
 
+TEST(Outline, NamesTargetsAndQualitiesOfAllTasksOnce) {
+  const Outline outline = outline_of(
+      "[[task]]\ntargets = [{ example = \"sad\" }, { name = \"mix\", weights = { a = 1 } }]\n"
+      "practice = [{ example = \"happy\" }]\n"
+      "[[task]]\nqualities = [{ name = \"tired\" }, { name = \"sad\" }]\n");
+  EXPECT_EQ(outline.targets, (std::vector<std::string>{"sad", "mix", "tired"}));
+}
+
 TEST(Outline, OfWhatIsNoStudyIsEmpty) {
   for (const char* text : {"", "interface = 3", "[[interface]]\nname = 3", "{{{", "\xff\xfe"}) {
     EXPECT_TRUE(outline_of(text).interfaces.empty()) << text;

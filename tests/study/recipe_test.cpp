@@ -52,7 +52,9 @@ TEST(Recipe, ThatIsBrokenIsRefusedWithEveryPlaceAndReason) {
       {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nfiles = 'a*.bvh'\n",
        "r.toml:4:9: error: no file in empty fits \"a*.bvh\""},
       {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nfiles = 'sub/*.bvh'\n",
-       "r.toml:4:9: error: is about names of files only; name the folder in `folder`"},
+       "r.toml:4:9: error: no file in empty fits \"sub/*.bvh\""},
+      {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nfiles = '../*.bvh'\n",
+       "r.toml:4:9: error: a pattern is a path below `folder`, such as \"*/{style}_1.bvh\""},
       {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nfiles = '*a*b*c*d*.bvh'\n",
        "r.toml:4:9: error: at most four * can stand in a pattern"},
       {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nfiles = '{style}_{style}.bvh'\n",
@@ -63,16 +65,136 @@ TEST(Recipe, ThatIsBrokenIsRefusedWithEveryPlaceAndReason) {
       {"name = ''\ncredit = 5\nfolder = 'empty'\ncycles_per_take = 21\nunit_m = 'cm'\nup = 'x'\n",
        "r.toml:1:8: error: \"name\" must not be empty\n"
        "r.toml:2:10: error: \"credit\" must be a text in quotes, but is a whole number\n"
+       "r.toml:3:10: error: no file in empty fits \"*.bvh\"\n"
        "r.toml:4:19: error: \"cycles_per_take\" is 21, but must be from 1 to 20\n"
        "r.toml:5:10: error: \"unit_m\" must be a number, but is a text\n"
        "r.toml:6:6: error: \"up\" is \"x\", but must be one of \"y\", \"z\"; did you mean \"y\"?"},
       {"folder = 'empty'\n",
        "r.toml:1:1: error: \"name\" is missing here\n"
-       "r.toml:1:1: error: \"credit\" is missing here"},
+       "r.toml:1:1: error: \"credit\" is missing here\n"
+       "r.toml:1:10: error: no file in empty fits \"*.bvh\""},
       {"name = 'x'\ncredit = 'y'\nfolder = 'empty'\nmost_loop_error_m = nan\n",
+       "r.toml:3:10: error: no file in empty fits \"*.bvh\"\n"
        "r.toml:4:21: error: \"most_loop_error_m\" is nan, but must be from 0 to 1"},
   };
   for (const BrokenRecipe& broken : table) EXPECT_EQ(problems_of(broken.text), broken.said);
+}
+
+// A recipe that names takes, after three lines; a.bvh is there.
+const std::string head = "name = 'x'\ncredit = 'y'\nfolder = 'full'\n";
+
+std::string problems_with_takes(const std::string& text) {
+  const fs::path folder = own_folder();
+  write_file(folder / "full" / "a.bvh", "no capture, but a file");
+  write_file(folder / "full" / "cuts.csv", "S,A,B\na,5,9\nb,x,9\n");
+  write_file(folder / "r.toml", head + text);
+  try {
+    load_recipe((folder / "r.toml").string());
+  } catch (const InputError& error) {
+    std::string said = error.what();
+    const std::string prefix = folder.string() + "/";
+    for (std::size_t at; (at = said.find(prefix)) != said.npos;) said.erase(at, prefix.size());
+    return said;
+  }
+  return {};
+}
+
+TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
+  const std::vector<BrokenRecipe> table = {
+      {"[[take]]\nfile = 'a.bvh'\n[[take]]\nfile = 'b.bvh'\n",
+       "r.toml:7:8: error: there is no file full/b.bvh"},
+      {"[[take]]\nfile = 'a.bvh'\n[[take]]\nfile = './a.bvh'\n",
+       "r.toml:7:8: error: \"./a.bvh\" has a [[take]] already; give it several [[take.cycle]]"},
+      {"[[take]]\nfile = 'a.bvh'\nfrom = 20\nto = 10\nstile = 'b'\n",
+       "r.toml:7:6: error: the last frame must come after the first\n"
+       "r.toml:8:1: error: unknown key \"stile\"; did you mean \"style\"?"},
+      {"[[take]]\nfile = 'a.bvh'\n[[take.cycle]]\nfirst = 5\nlast = 25\nkeytimes = [9, 8, 12]\n",
+       "r.toml:9:12: error: first, keytimes and last must ascend: they are frames of the file"},
+      {"[[take]]\nfile = 'a.bvh'\n[[take.cycle]]\nfirst = 5\nlast = 25\nkeytimes = [9]\n",
+       "r.toml:6:1: error: the cycle needs 3 keytimes between first and last: right foot on, left "
+       "off, left on"},
+      {"motion = 'other'\n[[take]]\nfile = 'a.bvh'\n",
+       "r.toml:5:1: error: a.bvh needs a [[take.cycle]]: cycles of other motions than walks cannot "
+       "be found"},
+      {"motion = 'other'\nkey_phases = [0, 0.6, 0.5, 1]\n[[take]]\nfile = 'a.bvh'\n"
+       "[[take.cycle]]\nfirst = 1\nlast = 9\n",
+       "r.toml:5:14: error: must ascend from 0 to 1\n"
+       "r.toml:8:1: error: the cycle needs 2 keytimes between first and last as the others have"},
+      {"[[take]]\nfile = 'a.bvh'\nasf = 'a.asf'\nframes_per_second = 0\n",
+       "r.toml:6:7: error: there is no file full/a.asf\n"
+       "r.toml:7:21: error: \"frames_per_second\" is 0, but must be from 1 to 1000"},
+      {"skeleton = 'b.bvh'\n", "r.toml:4:12: error: is not one of the files that the recipe uses"},
+      {"without = ['a.bvh']\n", "r.toml:3:10: error: no file in full fits \"*.bvh\""},
+  };
+  for (const BrokenRecipe& broken : table) EXPECT_EQ(problems_with_takes(broken.text), broken.said);
+}
+
+TEST(Recipe, NamesWhatIsWrongWithATableOfCuts) {
+  const std::string good = "[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'A'\nto = 'B'\n";
+  EXPECT_EQ(problems_with_takes(good), "");
+  EXPECT_EQ(problems_with_takes("[cuts]\nfile = 'no.csv'\nstyle = 'S'\nfrom = 'A'\nto = 'B'\n"),
+            "r.toml:5:8: error: there is no file full/no.csv");
+  EXPECT_EQ(problems_with_takes("[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'C'\nto = 'B'\n"),
+            "r.toml:7:8: error: full/cuts.csv has no column \"C\"");
+  EXPECT_EQ(problems_with_takes("[[take]]\nfile = 'a.bvh'\nstyle = 'b'\n" + good),
+            "full/cuts.csv:3: error: does not say from which to which frame a.bvh is good");
+  EXPECT_EQ(problems_with_takes("[[take]]\nfile = 'a.bvh'\nstyle = 'z'\n" + good),
+            "full/cuts.csv: error: has no row for the style \"z\"");
+}
+
+// The layout of 100STYLE: a folder for each style, and a table of good frames.
+TEST(Recipe, FindsTakesInFoldersAndCutsThemByATable) {
+  const fs::path folder = own_folder();
+  for (const char* file : {"Angry/Angry_FW.bvh", "Angry/Angry_BW.bvh", "Old/Old_FW.bvh"}) {
+    write_file(folder / "100STYLE" / file, "");
+  }
+  write_file(
+      folder / "100STYLE" / "Frame_Cuts.csv",
+      "STYLE_NAME,BW_START,BW_STOP,FW_START,FW_STOP\nAngry,1,2,163,4800\nOld,N/A,N/A,7,900\n");
+  write_file(folder / "r.toml",
+             "name = 'x'\ncredit = 'y'\nfolder = '100STYLE'\nfiles = '*/{style}_FW.bvh'\n"
+             "[cuts]\nfile = 'Frame_Cuts.csv'\nstyle = 'STYLE_NAME'\nfrom = 'FW_START'\n"
+             "to = 'FW_STOP'\n");
+  const Recipe recipe = load_recipe((folder / "r.toml").string());
+  ASSERT_EQ(recipe.takes.size(), 2U);
+  EXPECT_EQ(recipe.takes[0].label, "Angry/Angry_FW.bvh");
+  EXPECT_EQ(recipe.takes[0].style, "Angry");
+  EXPECT_EQ(recipe.takes[0].from, 163);
+  EXPECT_EQ(recipe.takes[1].to, 900);
+}
+
+TEST(Recipe, SaysMoreAboutSomeOfTheFilesOfAPattern) {
+  const fs::path folder = own_folder();
+  for (const char* file : {"sad.bvh", "old.bvh", "test.bvh"}) write_file(folder / file, "abc");
+  write_file(folder / "r.toml",
+             "name = 'x'\ncredit = 'y'\nfolder = '.'\nfiles = '*.bvh'\nwithout = ['test*']\n"
+             "most_turn_deg = 90\nskeleton = 'sad.bvh'\n"
+             "[[take]]\nfile = 'old.bvh'\nstyle = 'aged'\nunit_m = 0.0254\nup = 'z'\n"
+             "[[take.cycle]]\nname = 'slow'\nfirst = 10\nlast = 50\nkeytimes = [20, 25.5, 40]\n");
+  Recipe recipe = load_recipe((folder / "r.toml").string());
+  hash_takes(recipe);
+  ASSERT_EQ(recipe.takes.size(), 2U);
+  EXPECT_EQ(recipe.takes[0].style, "aged");
+  EXPECT_EQ(recipe.takes[0].figure.z_up, true);
+  EXPECT_EQ(recipe.takes[0].cycles[0].frames, (std::vector<double>{10, 20, 25.5, 40, 50}));
+  EXPECT_EQ(recipe.takes[1].style, "sad");
+  EXPECT_NEAR(recipe.options.search.most_turn, M_PI / 2, 1e-12);
+  // SHA-256 of "abc" is the first example of FIPS 180-2.
+  EXPECT_EQ(recipe.takes[1].sha256,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(Recipe, OfEverySetThatComesWithTheProgramIsReadUpToItsFolder) {
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(PROMENADE_SOURCE_DIR) / "configs/sets")) {
+    try {
+      load_recipe(entry.path().string(), (own_folder() / "nowhere").string());
+      FAIL() << entry.path();
+    } catch (const InputError& error) {
+      ASSERT_EQ(error.problems().size(), 1U) << error.what();
+      EXPECT_NE(error.problems()[0].message.find("there is no folder"), std::string::npos);
+    }
+  }
 }
 
 TEST(Recipe, ThatIsNoTomlSaysSoAndNothingElse) {
@@ -91,6 +213,13 @@ TEST(StyleOf, IsWhatTheMarkStandsForOrTheWholeName) {
   EXPECT_EQ(style_of("sad.bvh", "*.bvh"), "sad");
   EXPECT_EQ(style_of("walk__1.bvh", "walk_{style}_1.bvh"), std::nullopt);
   EXPECT_EQ(style_of("sad.amc", "*.bvh"), std::nullopt);
+}
+
+TEST(StyleOf, IsFoundInAFolderOrAFile) {
+  EXPECT_EQ(style_of("Angry/take_1.bvh", "{style}/take_*.bvh"), "Angry");
+  EXPECT_EQ(style_of("a/Old_FW.bvh", "*/{style}_FW.bvh"), "Old");
+  EXPECT_EQ(style_of("a/b/Old_FW.bvh", "*/{style}_FW.bvh"), std::nullopt);
+  EXPECT_EQ(style_of("Old_FW.bvh", "*/{style}_FW.bvh"), std::nullopt);
 }
 
 TEST(StyleOf, TakesNoTimeWhereAPatternFitsInManyWays) {

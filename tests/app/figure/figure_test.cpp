@@ -1,4 +1,6 @@
 // The figure by its numbers: measure, ground, quads, shadow and camera.
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "app/figure/part_quad.h"

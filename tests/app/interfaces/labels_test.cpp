@@ -1,4 +1,5 @@
 #include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
 
 #include "tests/app/panel_bench.h"
 

@@ -1,3 +1,5 @@
+#include <gtest/gtest.h>
+
 #include "tests/app/panel_bench.h"
 
 namespace promenade::app {

@@ -1,5 +1,6 @@
 #include "app/window/input_queue.h"
 
+#include <gtest/gtest.h>
 #include <imgui.h>
 
 namespace promenade::app {

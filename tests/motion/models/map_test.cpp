@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/models/nearest.h"
-#include "motion/models/quantile.h"
+#include "motion/quantile.h"
 #include "tests/motion/models/random.h"
 
 namespace promenade::motion {

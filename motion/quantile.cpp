@@ -1,4 +1,4 @@
-#include "motion/models/quantile.h"
+#include "motion/quantile.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,0 +1,116 @@
+#include "motion/take_loader.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::motion {
+namespace {
+
+// The best loops of a take that do not share frames.
+std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count) {
+  std::vector<CycleCandidate> chosen;
+  for (const CycleCandidate& one : all) {
+    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const CycleCandidate& other) {
+      return one.keys.back() <= other.first() + 1 || one.first() >= other.keys.back() - 1;
+    });
+    if (apart && static_cast<int>(chosen.size()) < count) chosen.push_back(one);
+  }
+  std::sort(chosen.begin(), chosen.end(),
+            [](const CycleCandidate& a, const CycleCandidate& b) { return a.first() < b.first(); });
+  return chosen;
+}
+
+Cut cut_out(const Take& take, const CycleCandidate& cycle, const std::string& name) {
+  constexpr int margin = 3;  // frames that poses and velocities beside the ends follow from
+  const int from = std::max(static_cast<int>(std::floor(cycle.first())) - margin, 0);
+  const int to =
+      std::min(static_cast<int>(std::ceil(cycle.keys.back())) + margin, take.frames() - 1);
+  Cut cut{name, part(take, from, to), cycle, cycle};
+  for (double& key : cut.cycle.keys) key -= from;
+  return cut;
+}
+
+// What is wrong with a file, said at the place that asked for it.
+Problem asked_at(const Place& place, const TakeSource& source, const std::string& message) {
+  if (place.file.empty()) return {source.file, 0, 0, message, Severity::error};
+  return {place.file, place.line, place.column, source.label + " " + message, Severity::error};
+}
+
+// The frames of a take that the recipe wants.
+Take wanted_part(Take take, const TakeSource& source) {
+  const int last = take.frames() - 1;
+  const int from = source.from.value_or(0), to = std::min(source.to.value_or(last), last);
+  if (from > to) {
+    throw InputError({asked_at(source.place, source,
+                               "has only " + std::to_string(take.frames()) +
+                                   " frames, so none from frame " + std::to_string(from))});
+  }
+  if (from == 0 && to == last) return take;
+  return part(take, from, to);
+}
+
+}  // namespace
+
+void TakeLoader::load(const TakeSource& source) {
+  try {
+    const Take take = read(source);
+    LoadedTake loaded{source, {}, 0, take.period, {}};
+    if (source.cycles.empty() && options_.walk) {
+      find(take, loaded);
+    } else {
+      follow(take, loaded);
+    }
+    takes_.push_back(std::move(loaded));
+    skeletons_.push_back({take.source, take.skeleton, take.body, take.frame_time, {}, 0, 0});
+  } catch (const InputError& error) {
+    problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
+  }
+}
+
+Take TakeLoader::read(const TakeSource& source) {
+  FigureOptions figure_options = source.figure;
+  if (!figure_options.unit_m) figure_options.unit_m = options_.figure.unit_m;
+  if (!figure_options.z_up) figure_options.z_up = options_.figure.z_up;
+  const Clip clip = load_clip(source.file, source.load);
+  const Figure figure = find_figure(clip, figure_options);
+  for (const auto& list : {clip.warnings, figure.notes}) {
+    built_.warnings.insert(built_.warnings.end(), list.begin(), list.end());
+  }
+  Take take = wanted_part(make_take(clip, figure), source);
+  if (!source.cycles.empty()) return take;
+  return unrolled(std::move(take));
+}
+
+void TakeLoader::find(const Take& take, LoadedTake& loaded) {
+  FootContacts contacts = find_contacts(take);
+  const CycleSearch search = find_cycles(take, contacts, options_.search);
+  loaded.found = static_cast<int>(search.candidates.size());
+  if (search.candidates.empty()) loaded.refusal = "gives no cycle: " + search.refusal;
+  for (const CycleCandidate& cycle : best_apart(search.candidates, options_.cycles_per_take)) {
+    loaded.cuts.push_back(cut_out(take, cycle, ""));
+  }
+  record(take, std::move(contacts), search.candidates);
+}
+
+void TakeLoader::follow(const Take& take, LoadedTake& loaded) {
+  for (const GivenCycle& given : loaded.source.cycles) {
+    std::vector<double> keys = given.frames;
+    for (double& key : keys) key -= take.first_frame;
+    const std::string trouble = trouble_with_keys(take, keys);
+    if (trouble.empty()) {
+      loaded.cuts.push_back(cut_out(take, given_cycle(take, std::move(keys)), given.name));
+    } else {
+      problems_.push_back(asked_at(given.place, loaded.source, trouble));
+    }
+  }
+  if (options_.keep_takes) record(take, find_contacts(take), {});
+}
+
+void TakeLoader::record(const Take& take, FootContacts contacts,
+                        std::vector<CycleCandidate> cycles) {
+  if (!options_.keep_takes) return;
+  built_.takes.push_back({take.source, take.frame_time, take.first_frame, take.period,
+                          std::move(contacts), std::move(cycles)});
+}
+
+}  // namespace promenade::motion
