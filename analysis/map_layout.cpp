@@ -15,14 +15,20 @@ using Eigen::Vector2d;
 constexpr std::array<std::array<double, 2>, 8> places = {
     {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
 
+constexpr double rounding = 1e-6;  // square pixels
+
 struct Rectangle {
   Vector2d middle, half;
 };
 
 double shared_area(const Rectangle& a, const Rectangle& b) {
-  const Vector2d overlap = a.half + b.half - (a.middle - b.middle).cwiseAbs();
-  return overlap.minCoeff() <= 0 ? 0 : overlap.x() * overlap.y();
+  const Vector2d low = (a.middle - a.half).cwiseMax(b.middle - b.half);
+  const Vector2d high = (a.middle + a.half).cwiseMin(b.middle + b.half);
+  const Vector2d side = high - low;
+  return side.minCoeff() <= 0 ? 0 : side.x() * side.y();
 }
+
+double area(const Rectangle& a) { return 4 * a.half.x() * a.half.y(); }
 
 double cross(const Vector2d& o, const Vector2d& a, const Vector2d& b) {
   return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
@@ -45,7 +51,8 @@ std::vector<int> half_hull(const Matrix2Xd& points, const std::vector<int>& orde
 }  // namespace
 
 std::vector<LabelSpot> place_labels(const Matrix2Xd& dots, const std::vector<double>& widths,
-                                    double height, double radius) {
+                                    double height, double radius, const LabelRoom& room) {
+  const Rectangle inside{0.5 * (room.low + room.high), 0.5 * (room.high - room.low)};
   std::vector<Rectangle> taken;
   for (const auto& dot : dots.colwise()) {
     taken.push_back({dot, Vector2d::Constant(radius)});
@@ -55,14 +62,16 @@ std::vector<LabelSpot> place_labels(const Matrix2Xd& dots, const std::vector<dou
     const Vector2d half(0.5 * widths[static_cast<std::size_t>(i)], 0.5 * height);
     Rectangle best{dots.col(i), half};
     double least = std::numeric_limits<double>::infinity();
-    for (const auto& [x, y] : places) {
-      const Vector2d away = Vector2d(x, y).cwiseProduct(half + Vector2d::Constant(1.7 * radius));
-      const Rectangle label{dots.col(i) + away, half};
-      double covered = 0;
-      for (const Rectangle& other : taken) covered += shared_area(label, other);
-      if (covered >= least) continue;
-      least = covered;
-      best = label;
+    for (const double gap : {1.7 * radius, 3.4 * radius}) {
+      for (const auto& [x, y] : places) {
+        const Vector2d away = Vector2d(x, y).cwiseProduct(half + Vector2d::Constant(gap));
+        const Rectangle label{dots.col(i) + away, half};
+        double cost = 2 * (area(label) - shared_area(label, inside));
+        for (const Rectangle& other : taken) cost += shared_area(label, other);
+        if (cost > least - rounding) continue;  // of equal places the first
+        least = cost;
+        best = label;
+      }
     }
     taken.push_back(best);
     spots.push_back({best.middle});

@@ -10,10 +10,16 @@ struct LabelSpot {
   Eigen::Vector2d at;  // the middle of the label
 };
 
-// Labels of `widths` pixels and one height beside dots of a radius (2 x N, y up): of eight
-// places around each dot the one that covers least of the dots and of the labels before it.
+// What the labels should not leave.
+struct LabelRoom {
+  Eigen::Vector2d low, high;
+};
+
+// Labels of `widths` pixels and one height beside dots of a radius (2 x N, y up): of 16
+// places around each dot the one that covers least of the dots and of the labels before
+// it, and leaves the room least.
 std::vector<LabelSpot> place_labels(const Eigen::Matrix2Xd& dots, const std::vector<double>& widths,
-                                    double height, double radius);
+                                    double height, double radius, const LabelRoom& room);
 
 // Corners of the convex hull of some columns, counterclockwise; fewer than three: as
 // they are.

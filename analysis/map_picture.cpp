@@ -106,7 +106,8 @@ std::string labels(const MapPicture& picture, const Frame& frame, const View& vi
   for (const std::string& name : picture.names) {
     widths.push_back(letter * static_cast<double>(name.size()));
   }
-  const auto spots = place_labels(dots, widths, 12, 5);
+  const auto spots = place_labels(dots, widths, 12, 5,
+                                  {pixel.cwiseProduct(view.low), pixel.cwiseProduct(view.high)});
   std::string text;
   for (std::size_t i = 0; i < spots.size(); ++i) {
     const Vector2d at = spots[i].at.cwiseQuotient(pixel);

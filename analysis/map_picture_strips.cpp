@@ -11,7 +11,6 @@ namespace promenade::analysis {
 namespace {
 
 using Eigen::Vector2d;
-using motion::BodyJoint;
 using motion::BodyPoints;
 
 constexpr int figures = 6;         // of a strip, over the cycle

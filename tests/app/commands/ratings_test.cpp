@@ -8,12 +8,12 @@ namespace promenade::app {
 namespace {
 
 TEST(Ratings, ComeInTheOrderOfThePairsAndTheSet) {
-  const RatingsTable table = read_ratings("r.csv",
-                                          "value,rater,motion,pair\n"
-                                          "1,p,sad,odd-even\n"
-                                          "-2,q,happy,narrow-wide\n"
-                                          "0.5,p,happy,slow-fast\n",
-                                          {"happy", "sad"});
+  const study::RatingsTable table = read_ratings("r.csv",
+                                                 "value,rater,motion,pair\n"
+                                                 "1,p,sad,odd-even\n"
+                                                 "-2,q,happy,narrow-wide\n"
+                                                 "0.5,p,happy,slow-fast\n",
+                                                 {"happy", "sad"});
   EXPECT_EQ(table.pairs, (std::vector<std::string>{"slow-fast", "narrow-wide", "odd-even"}));
   EXPECT_EQ(table.raters, 2);
   EXPECT_EQ(table.ratings[0].pair, 2);
@@ -23,7 +23,7 @@ TEST(Ratings, ComeInTheOrderOfThePairsAndTheSet) {
 }
 
 TEST(Ratings, NameTheirMotionsWithoutASet) {
-  const RatingsTable table =
+  const study::RatingsTable table =
       read_ratings("r.csv", "rater,motion,pair,value\n1,b,x-y,0\n1,a,x-y,0\n", {});
   EXPECT_EQ(table.motions, (std::vector<std::string>{"a", "b"}));
 }
