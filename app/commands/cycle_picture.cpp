@@ -103,7 +103,8 @@ void draw_seconds(Svg& svg, const TimeAxis& axis, double y) {
   for (const double wider : {0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0, 120.0}) {
     if (span / step > 12) step = wider;
   }
-  for (double k = std::ceil(seconds(axis.from) / step); k * step <= seconds(axis.to); ++k) {
+  const auto last = static_cast<int>(std::floor(seconds(axis.to) / step));
+  for (int k = static_cast<int>(std::ceil(seconds(axis.from) / step)); k <= last; ++k) {
     const double x = axis.x(k * step / axis.seconds_of_frame - axis.first_frame);
     svg.line(x, y, x, y + 4, quiet_colour);
     svg.words(x, y + 18, fmt::format("{:.{}f}", k * step, step < 1 ? 1 : 0), "middle", quiet_colour,
@@ -169,7 +170,9 @@ void draw_course(Svg& svg, const TimeAxis& axis, const FootCourse& course, const
 
 void draw_plot(Svg& svg, const TimeAxis& axis, const TakeRecord& take, const Plot& plot) {
   svg.words(plot_left, plot.top - 6, plot.title, "start", quiet_colour);
-  for (double value = 0; value <= plot.most + 1e-9; value += plot.step) {
+  const int lines = static_cast<int>(std::lround(plot.most / plot.step));
+  for (int k = 0; k <= lines; ++k) {
+    const double value = k * plot.step;
     const double y = plot.bottom - value / plot.most * (plot.bottom - plot.top);
     svg.line(plot_left, y, plot_right, y, "#e4e6ea");
     svg.words(plot_left - 8, y + 4, fmt::format("{:.1f}", value), "end", quiet_colour, 11);
