@@ -45,16 +45,30 @@ bool stands_in_t(const WorldPose& pose, const BodyMap& body, bool z_up) {
          left.dot(across) > 0;
 }
 
-// No joint of the body is further than a tenth of a leg from where it was.
-bool stays(const WorldPose& pose, const WorldPose& before, const BodyMap& body) {
+// The furthest that a joint of the body is from where it was, in lengths of a leg.
+double moved(const WorldPose& pose, const WorldPose& before, const BodyMap& body) {
   const auto at = [&](BodyJoint part) -> Vector3d {
     return before.positions.col(body.joint[part]);
   };
   const double leg =
       (at(left_hip) - at(left_knee)).norm() + (at(left_knee) - at(left_ankle)).norm();
-  return std::all_of(body.joint.begin(), body.joint.end(), [&](int joint) {
-    return (pose.positions.col(joint) - before.positions.col(joint)).norm() < 0.1 * leg;
-  });
+  double most = 0;
+  for (const int joint : body.joint) {
+    most = std::max(most, (pose.positions.col(joint) - before.positions.col(joint)).norm());
+  }
+  return most / leg;
+}
+
+constexpr double little_moved = 0.1;
+
+// Does the figure go on from this frame as no body can: far, and then no further?
+bool leaps(const Clip& clip, const BodyMap& body, int frame) {
+  const WorldPose before = forward_kinematics(clip, frame);
+  const WorldPose pose = forward_kinematics(clip, frame + 1);
+  const double leap = moved(pose, before, body);
+  if (frame + 2 >= clip.frames()) return leap > little_moved;
+  const WorldPose after = forward_kinematics(clip, frame + 2);
+  return leap > little_moved && leap > 3 * moved(after, pose, body);
 }
 
 bool is_rest_pose(const Clip& clip, int frame) {
@@ -176,11 +190,15 @@ int frames_in_t_pose(const Clip& clip, const BodyMap& body, bool z_up) {
     if (is_rest_pose(clip, frame)) return true;
     if (!arms) return false;
     const WorldPose pose = forward_kinematics(clip, frame);
-    return stands_in_t(pose, body, z_up) && stays(pose, first, body);
+    return stands_in_t(pose, body, z_up) && moved(pose, first, body) < little_moved;
   };
   int count = 0;
   while (count < clip.frames() && in_t_pose(count)) ++count;
-  return count < clip.frames() ? count : 0;
+  if (count == 0 || count == clip.frames()) return 0;
+  // Some people walk with their arms held out.
+  constexpr double standing_s = 0.25;
+  const bool stands = count * clip.frame_time >= standing_s || is_rest_pose(clip, count - 1);
+  return stands || leaps(clip, body, count - 1) ? count : 0;
 }
 
 std::vector<Gap> find_gaps(const Clip& clip) {

@@ -11,9 +11,10 @@ struct FrameRange {
   int first = 0, last = 0;  // both belong to it
 };
 
-// Frames at the front in which the figure is not in motion yet: it stands with straight
-// arms held out to its sides, or no joint is turned (the rest pose of the file). 0: none,
-// or the whole clip is so.
+// Frames at the front in which the figure is not in motion yet: no joint is turned (the
+// rest pose of the file), or it has straight arms held out to its sides and either stands
+// so for a quarter of a second or leaps out of it as no body can. 0: none, or the whole
+// clip is so.
 int frames_in_t_pose(const Clip& clip, const BodyMap& body, bool z_up);
 
 // Where values repeat to the last digit, which no body does: at least four frames of the

@@ -88,6 +88,21 @@ TEST(Blemishes, OfArmsHeldOutInFrontAreATPose) {
   EXPECT_EQ(find_figure(with_lifted_arms(walker(), 45, 12)).t_pose_frames, 0);
 }
 
+// It begins where the walk does, and its arms go on as they are.
+TEST(Blemishes, AreNotThatAWalkBeginsWithArmsHeldOut) {
+  const Clip walk = walker();
+  const Clip held = with_lifted_arms(walk, 90, walk.frames());
+  Clip clip = walk;
+  const Figure figure = find_figure(walk);
+  for (const BodyJoint part : {left_shoulder, right_shoulder, left_elbow, right_elbow}) {
+    const JointChannels& own = walk.channels[static_cast<std::size_t>(figure.body.joint[part])];
+    const auto count = static_cast<Eigen::Index>(own.channels.size());
+    clip.values.middleRows(own.first_row, count) =
+        held.values.block(own.first_row, 0, count, walk.frames());
+  }
+  EXPECT_EQ(find_figure(clip).t_pose_frames, 0);
+}
+
 TEST(Blemishes, OfAFrozenFigureAreNamedWithTheirFrames) {
   Clip clip = walker();
   for (int f = 21; f <= 30; ++f) clip.values.col(f) = clip.values.col(20);
