@@ -134,7 +134,8 @@ class Commands(ProgramTest):
             self.assertEqual(info.returncode, 0, info.stderr)
             cycles = json.loads(info.stdout)["cycles"]
             self.assertEqual(len(cycles), walks)
-            self.assertEqual(self.call("set", "export", f"builtin:{name}", "--out", name).returncode, 0)
+            exported = self.call("set", "export", f"builtin:{name}", "--out", name)
+            self.assertEqual(exported.returncode, 0, exported.stderr)
             self.assertEqual(sorted(p.stem for p in (self.folder / name).glob("*.bvh")),
                              sorted(c["name"] for c in cycles))
 
