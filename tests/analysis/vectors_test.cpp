@@ -101,9 +101,8 @@ bool near_as_a_whole(const Json& actual, const Json& expected, double tolerance)
   const std::vector<double> e = numbers_in(expected);
   double largest = 0;
   for (const double value : e) largest = std::max(largest, std::abs(value));
-  return std::equal(a.begin(), a.end(), e.begin(), e.end(), [&](double x, double y) {
-    return std::abs(x - y) <= tolerance * largest;
-  });
+  return std::equal(a.begin(), a.end(), e.begin(), e.end(),
+                    [&](double x, double y) { return std::abs(x - y) <= tolerance * largest; });
 }
 
 // The tolerances that the header of the shared file states.
