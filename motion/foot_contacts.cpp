@@ -14,7 +14,7 @@ namespace {
 // while it may still have this share of the speed of swinging feet: it slides and turns
 // on. On generated walks the moment is found to 15 ms.
 constexpr double floor_band = 0.005;
-constexpr double touch_down_share = 0.15;
+constexpr double touch_down_share = 0.2;
 constexpr double landing_seconds = 1.0 / 60;  // over which that speed is measured
 
 using BodyCourse = std::vector<Eigen::Matrix<double, 3, body_joint_count>>;

@@ -140,6 +140,14 @@ void find_takes(const TomlTable& root, const fs::path& folder, const std::string
   }
 }
 
+// Keys that mean nothing without a folder or files are known all the same.
+void know_the_rest(const TomlTable& root) {
+  root.texts("without");
+  root.table("cuts");
+  root.text("asf");
+  root.number("frames_per_second", 1, 1000);
+}
+
 void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
   const auto files = root.text("files");
   const std::vector<TomlTable> tables = root.tables("take");
@@ -150,11 +158,14 @@ void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
     root.number("frames_per_second", 1, 1000);
     root.error("folder",
                "there is no folder " + folder.string() + "; give another one with --folder DIR");
-    return;
+    return know_the_rest(root);
   }
   const std::string pattern = files.value_or("*.bvh");
   const std::string trouble = trouble_with_pattern(pattern);
-  if (!trouble.empty()) return root.error("files", trouble);
+  if (!trouble.empty()) {
+    root.error("files", trouble);
+    return know_the_rest(root);
+  }
   if (files || tables.empty()) find_takes(root, folder, pattern, recipe);
   std::vector<std::string> named;
   for (const TomlTable& table : tables) read_take(table, folder, recipe, named);
