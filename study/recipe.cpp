@@ -151,11 +151,8 @@ void know_the_rest(const TomlTable& root) {
 void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
   const auto files = root.text("files");
   const std::vector<TomlTable> tables = root.tables("take");
-  const auto cuts = root.table("cuts");
   std::error_code error;
   if (!fs::is_directory(folder, error)) {
-    root.text("asf");  // what cannot be looked for is not unknown
-    root.number("frames_per_second", 1, 1000);
     root.error("folder",
                "there is no folder " + folder.string() + "; give another one with --folder DIR");
     return know_the_rest(root);
@@ -174,7 +171,7 @@ void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
     if (take.load.skeleton.empty()) take.load.skeleton = load.skeleton;
     if (!take.load.rate) take.load.rate = load.rate;
   }
-  if (cuts) apply_cuts(*cuts, folder, recipe.takes);
+  if (const auto cuts = root.table("cuts")) apply_cuts(*cuts, folder, recipe.takes);
   std::sort(recipe.takes.begin(), recipe.takes.end(),
             [](const TakeSource& a, const TakeSource& b) { return a.label < b.label; });
 }
