@@ -27,7 +27,6 @@ struct Limbs {
   std::array<std::array<int, 2>, 6> bones;  // from and to: BodyJoint or Segment::Point
 };
 
-constexpr int shoulders = motion::Segment::mid_shoulder;
 constexpr int hips = motion::Segment::mid_hip;
 
 constexpr std::array<Limbs, 3> parts = {{

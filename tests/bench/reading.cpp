@@ -75,7 +75,7 @@ void all_rotations(const Clip& clip, LocalPose& pose) {
 void text_to_channels(benchmark::State& state, const char* format) {
   const std::string text = bvh_of(31, false, 2000, format, 1);
   for (auto _ : state) benchmark::DoNotOptimize(read_bvh(text, "x").values.data());
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * text.size()));
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(text.size()));
 }
 BENCHMARK_CAPTURE(text_to_channels, six_digits, "%g")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(text_to_channels, four_decimals, "%.4f")->Unit(benchmark::kMillisecond);
@@ -166,7 +166,7 @@ void acclaim_to_channels(benchmark::State& state) {
   }
   const AsfSkeleton skeleton = read_asf(asf + tree + "end\n", "x");
   for (auto _ : state) benchmark::DoNotOptimize(read_amc(amc, "y", skeleton).values.data());
-  state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations() * amc.size()));
+  state.SetBytesProcessed(state.iterations() * static_cast<std::int64_t>(amc.size()));
 }
 BENCHMARK(acclaim_to_channels)->Unit(benchmark::kMillisecond);
 
