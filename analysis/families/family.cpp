@@ -87,7 +87,7 @@ Eigen::MatrixXd table(const Json& input, const char* key) {
 }
 
 Eigen::MatrixXd distance_table(const Json& input, const char* key) {
-  const Eigen::MatrixXd distances = table(input, key);
+  Eigen::MatrixXd distances = table(input, key);
   if (distances.rows() != distances.cols()) {
     throw CaseError(std::string("input.") + key + " is not square");
   }
