@@ -22,7 +22,14 @@ StanceTime stance_time(const Cycle& cycle, Side side) {
   return {cycle.keytimes[3], cycle.keytimes[2] + cycle.seconds};
 }
 
-// Heel, ankle and toe of one foot of a walk over the ground.
+struct Sole {
+  Eigen::Vector3d heel, ankle, toe;
+  Eigen::Vector3d pad;  // under the heel, on the ground when the foot is flat
+
+  std::array<Eigen::Vector3d, 4> points() const { return {heel, ankle, toe, pad}; }
+};
+
+// One foot of a walk over the ground.
 class Foot {
  public:
   Foot(const MotionSet& set, const Cycle& cycle, Side side)
@@ -34,19 +41,20 @@ class Foot {
       if (body(1, leg_.ankle) < flat(1, leg_.ankle)) flat = body;
     }
     heel_ = find_heel(flat.col(leg_.ankle), flat.col(leg_.toe));
+    pad_ = find_heel(flat.col(leg_.ankle), flat.col(leg_.toe), 0);
   }
 
-  std::array<Eigen::Vector3d, 3> sole(double seconds) const {
+  Sole sole(double seconds) const {
     const Body body = body_over_ground(set_, cycle_, seconds);
     const Eigen::Vector3d ankle = body.col(leg_.ankle), toe = body.col(leg_.toe);
-    return {heel_position(heel_, ankle, toe), ankle, toe};
+    return {heel_position(heel_, ankle, toe), ankle, toe, heel_position(pad_, ankle, toe)};
   }
 
  private:
   const MotionSet& set_;
   const Cycle& cycle_;
   LegJoints leg_;
-  Heel heel_;
+  Heel heel_, pad_;
 };
 
 // Heights of a toe while its foot is flat or leaves, metres. When it lands, the toe is up.
@@ -80,9 +88,9 @@ double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side) {
   const Foot foot(set, cycle, side);
   constexpr int steps = 60;
   double slide = 0;
-  auto before = foot.sole(stance.on);
+  auto before = foot.sole(stance.on).points();
   for (int k = 1; k <= steps; ++k) {
-    const auto now = foot.sole(stance.on + (stance.off - stance.on) * k / steps);
+    const auto now = foot.sole(stance.on + (stance.off - stance.on) * k / steps).points();
     double least = INFINITY;
     for (std::size_t p = 0; p < now.size(); ++p) {
       least = std::min(least, std::hypot(now[p].x() - before[p].x(), now[p].z() - before[p].z()));
@@ -108,8 +116,8 @@ double penetration_m(const MotionSet& set, const Cycle& cycle) {
     const Foot foot(set, cycle, side);
     constexpr int steps = 120;
     for (int k = 0; k < steps; ++k) {
-      const auto [heel, ankle, toe] = foot.sole(cycle.seconds * k / steps);
-      most = std::max(most, level - std::min(heel.y(), toe.y()));
+      const Sole sole = foot.sole(cycle.seconds * k / steps);
+      most = std::max(most, level - std::min(sole.heel.y(), sole.toe.y()));
     }
   }
   return most;

@@ -24,7 +24,8 @@ struct PlantReport {
 PlantReport plant_feet(const MotionSet& set, Cycle& cycle);
 
 // How far the supporting point of a foot slides over the ground while it stands: the
-// path of the one of heel, ankle and toe that moves least, step by step, metres.
+// path of the one of heel, ankle, toe and the ground under the heel that moves least,
+// step by step, metres.
 double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side);
 
 // The height at which toes stand when they are lowest (in a tenth of their stance; the mean of

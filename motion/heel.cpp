@@ -19,9 +19,13 @@ FootAxes axes_of(const Vector3d& ankle, const Vector3d& toe) {
 }  // namespace
 
 Heel find_heel(const Vector3d& ankle, const Vector3d& toe) {
+  return find_heel(ankle, toe, toe.y());
+}
+
+Heel find_heel(const Vector3d& ankle, const Vector3d& toe, double height) {
   const auto [along, down] = axes_of(ankle, toe);
   const Vector3d foot = toe - ankle;
-  const Vector3d heel(-0.25 * foot.x(), foot.y(), -0.25 * foot.z());
+  const Vector3d heel(-0.25 * foot.x(), height - ankle.y(), -0.25 * foot.z());
   return {-heel.dot(along), heel.dot(down)};
 }
 

@@ -16,6 +16,9 @@ struct Heel {
 // From a foot that stands flat (world, Y up).
 Heel find_heel(const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe);
 
+// The same with the heel at this height: the joint of a toe is a little over the sole.
+Heel find_heel(const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe, double height);
+
 // The heel of the same foot in another pose.
 Eigen::Vector3d heel_position(const Heel& heel, const Eigen::Vector3d& ankle,
                               const Eigen::Vector3d& toe);

@@ -17,6 +17,12 @@ TEST(Heel, IsBehindTheAnkleAtTheHeightOfTheToeWhenTheFootIsFlat) {
   EXPECT_LT((at - Vector3d(0.09, 0.02, 0.2625)).norm(), 1e-12);
 }
 
+TEST(Heel, IsOnTheGroundWhereThatIsAskedFor) {
+  const Heel heel = find_heel(flat_ankle, flat_toe, 0);
+  const Vector3d at = heel_position(heel, flat_ankle, flat_toe);
+  EXPECT_LT((at - Vector3d(0.09, 0, 0.2625)).norm(), 1e-12);
+}
+
 TEST(Heel, StaysWhereItIsWhileTheFootTurnsAboutIt) {
   const Heel heel = find_heel(flat_ankle, flat_toe);
   const Vector3d centre = heel_position(heel, flat_ankle, flat_toe);
