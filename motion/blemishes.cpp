@@ -110,11 +110,13 @@ bool is_within(const FrameRange& inner, const std::vector<FrameRange>& outer) {
   });
 }
 
-int moving_rows(const Clip& clip, const JointChannels& joint) {
+int turning_axes(const Clip& clip, const JointChannels& joint) {
   int count = 0;
-  for (int c = 0; c < static_cast<int>(joint.channels.size()); ++c) {
-    const auto row = clip.values.row(joint.first_row + c);
-    count += (row.array() != row(0)).any() ? 1 : 0;
+  int r = joint.first_row;
+  for (const Channel channel : joint.channels) {
+    const auto row = clip.values.row(r);
+    count += is_rotation(channel) && (row.array() != row(0)).any() ? 1 : 0;
+    ++r;
   }
   return count;
 }
@@ -157,7 +159,7 @@ void add_gaps_of_joint(const Clip& clip, int joint, const std::vector<FrameRange
   for (const FrameRange& run : runs) still += run.last - run.first;
   if (runs.empty() || static_cast<int>(runs.size()) > most_gaps_of_joint) return;
   if (20 * others > clip.frames() || 2 * still > clip.frames()) return;
-  if (moving_rows(clip, own) < 3) return;
+  if (turning_axes(clip, own) < 3) return;
   for (const FrameRange& run : runs) {
     const bool rests = !is_turned(clip, own, run.first) || returns(clip, own, runs, run);
     if (!rests && !is_within(run, of_figure)) gaps.push_back({joint, run});

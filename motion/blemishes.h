@@ -18,9 +18,9 @@ struct FrameRange {
 int frames_in_t_pose(const Clip& clip, const BodyMap& body, bool z_up);
 
 // Where values repeat to the last digit, which no body does: at least four frames of the
-// whole figure (joint -1), or ten of a joint that turns about three axes in all other
-// frames and does not come back to that position. In the order of joints and frames. A clip without
-// motion has no gaps.
+// whole figure (joint -1), or ten of a joint that turns about three axes, seldom repeats
+// elsewhere and does not come back to that position. In the order of joints and frames. A
+// clip without motion has no gaps.
 struct Gap {
   int joint = -1;
   FrameRange frames;

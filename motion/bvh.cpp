@@ -67,9 +67,9 @@ class ValueReader {
 
  private:
   void read_line() {
-    const std::size_t start = in_.position();
-    std::size_t found = take_values(rows_);
-    const bool longer = found == rows_ && !in_.at_line_end();
+    const std::size_t start = in_.position(), rows = rows_;
+    std::size_t found = take_values(rows);
+    const bool longer = found == rows && !in_.at_line_end();
     const std::size_t surplus = in_.position();
     if (longer) found += take_values(std::string_view::npos);
     const bool first = count_ == found;
@@ -77,9 +77,9 @@ class ValueReader {
       first_line_ = found;
       first_line_at_ = start;
     }
-    const bool rest = count_ > wanted_ && found < rows_;
-    const bool wrong = first ? found > rows_ && found % rows_ != 0
-                             : first_line_ == rows_ && found != rows_ && !rest;
+    const bool rest = count_ > wanted_ && found < rows;
+    const bool wrong =
+        first ? found > rows && found % rows != 0 : first_line_ == rows && found != rows && !rest;
     if (wrong) in_.error_at(longer ? surplus : in_.word_position(), line_trouble(found));
   }
 

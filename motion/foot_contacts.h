@@ -4,7 +4,7 @@
 // its heel or toe comes to the floor, though it still turns and slides a little. The floor
 // is where that foot stands in that step: the floor of a capture is often not level.
 // A stance ends when the ball of the foot leaves; toes, which captures rarely have, would
-// leave some 0.05 s later. So captures have about 7 % of double support where force
+// leave some 0.05 s later. So captures have 2 to 10 % of double support where force
 // plates show 10: a foot that moves cannot be planted.
 #pragma once
 

@@ -12,8 +12,8 @@ struct SharedSkeleton {
   BodyMap body;
 };
 
-// The skeleton that most takes have (of several the first such), its bones with their mean
-// length over these takes. Bones of `model` alone if it is not negative. At least one take.
+// The skeleton that most takes have (of several the first such), its offsets with their
+// mean over these takes. Bones of `model` alone if it is not negative. At least one take.
 SharedSkeleton shared_skeleton(const std::vector<Take>& takes, int model = -1);
 
 // A take whose joints are those of the shared skeleton in its order, its bones still its

@@ -227,7 +227,7 @@ void check_cycles(const TomlTable& root, const Recipe& recipe) {
 
 void check_skeleton(const TomlTable& root, Recipe& recipe) {
   recipe.options.skeleton = root.text("skeleton").value_or("");
-  if (recipe.options.skeleton.empty()) return;
+  if (recipe.options.skeleton.empty() || recipe.takes.empty()) return;
   const bool known =
       std::any_of(recipe.takes.begin(), recipe.takes.end(),
                   [&](const TakeSource& take) { return take.label == recipe.options.skeleton; });

@@ -198,7 +198,8 @@ Dendrogram ordered(int n, const std::vector<RawMerge>& raw) {
     const RawMerge& merge = raw[static_cast<std::size_t>(r)];
     const int a = renamed[static_cast<std::size_t>(merge.a)];
     const int b = renamed[static_cast<std::size_t>(merge.b)];
-    renamed[static_cast<std::size_t>(n + r)] = n + static_cast<int>(tree.merges.size());
+    renamed[static_cast<std::size_t>(n) + static_cast<std::size_t>(r)] =
+        n + static_cast<int>(tree.merges.size());
     tree.merges.push_back({std::min(a, b), std::max(a, b), std::sqrt(merge.squared), merge.size});
   }
   return tree;

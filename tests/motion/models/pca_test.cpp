@@ -92,7 +92,7 @@ TEST(PrincipalComponents, GiveTheAverageAtTheOrigin) {
 
 TEST(TableComponents, MatchTheVectors) {
   const nlohmann::json cases = vector_cases("pca");
-  if (cases.empty()) GTEST_SKIP() << "../shared/stats/vectors.json is not there";
+  if (cases.empty()) GTEST_SKIP() << "the shared test vectors are not there";
   for (const auto& one : cases) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const auto& expected = one["expected"];
@@ -126,7 +126,7 @@ TEST(TableComponents, SkipColumnsThatDoNotVary) {
 
 TEST(ClassicalScaling, MatchesTheVectors) {
   const nlohmann::json cases = vector_cases("classical_mds");
-  if (cases.empty()) GTEST_SKIP() << "../shared/stats/vectors.json is not there";
+  if (cases.empty()) GTEST_SKIP() << "the shared test vectors are not there";
   for (const auto& one : cases) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const auto& expected = one["expected"];

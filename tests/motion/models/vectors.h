@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -10,8 +11,10 @@
 namespace promenade::motion {
 
 inline nlohmann::json vector_cases(const std::string& family) {
-  const std::filesystem::path path =
-      std::filesystem::path(PROMENADE_SOURCE_DIR) / "../shared/stats/vectors.json";
+  const char* data = std::getenv("PROMENADE_DATA");
+  const std::filesystem::path folder =
+      data ? data : std::filesystem::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path path = folder / "../stats/vectors.json";
   if (!std::filesystem::exists(path)) return nlohmann::json::array();
   std::ifstream file(path);
   return nlohmann::json::parse(file)["families"][family];

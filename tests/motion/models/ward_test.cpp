@@ -136,7 +136,7 @@ void expect_merges(const Dendrogram& tree, const nlohmann::json& expected) {
 
 TEST(Ward, MatchesTheVectors) {
   const nlohmann::json cases = vector_cases("ward");
-  if (cases.empty()) GTEST_SKIP() << "../shared/stats/vectors.json is not there";
+  if (cases.empty()) GTEST_SKIP() << "the shared test vectors are not there";
   for (const auto& one : cases) {
     SCOPED_TRACE(one["id"].get<std::string>());
     const auto& expected = one["expected"];
