@@ -25,16 +25,25 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path) {
+void check_is_file(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
+  const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) {
     throw InputError(path.string(), "is a folder; a file is wanted here");
   }
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw InputError(path.string(), "is a pipe or device; a file is wanted here");
+  }
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  check_is_file(path);
   File file(std::fopen(path.c_str(), "rb"));
   if (!file)
     throw InputError(path.string(), std::string("cannot be read: ") + std::strerror(errno));
   std::string bytes;
   // Growing by doubling would hold the file three times at the last step.
+  std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(path, ignored);
   if (!ignored && size < bytes.max_size()) bytes.reserve(static_cast<std::size_t>(size) + 1);
   char block[1 << 16];

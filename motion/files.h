@@ -7,8 +7,11 @@
 
 namespace promenade {
 
-// The bytes of a file. Throws InputError when it is missing, a folder or
-// unreadable.
+// Throws InputError for a folder, and for a pipe or device, which might never end. A
+// missing file passes.
+void check_is_file(const std::filesystem::path& path);
+
+// The bytes of a file. Throws InputError when it is missing, no file or unreadable.
 std::string read_file(const std::filesystem::path& path);
 
 // Writes beside the target and renames: a killed program leaves the old file or

@@ -46,11 +46,7 @@ std::string shell_word(const std::string& text) {
 
 // Before a large file of something else is read to its end.
 void check_is_text(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
-    throw InputError(path.string(), "is a pipe or device; a file is wanted here");
-  }
+  check_is_file(path);
   char head[512];
   std::ifstream file(path, std::ios::binary);
   file.read(head, sizeof head);

@@ -76,6 +76,11 @@ std::string resting_uri(const std::string& file) {
 }  // namespace
 
 Database::Database(const std::string& file, Mode mode) : file_(file) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+  if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status)) {
+    fail(file, SQLITE_CANTOPEN, "it is a pipe or device");  // SQLite would wait for it
+  }
   const std::string uri = mode == Mode::read_only ? resting_uri(file) : "";
   const int code = uri.empty() ? sqlite3_open_v2(file.c_str(), &handle_, open_flags(mode), nullptr)
                                : sqlite3_open_v2(uri.c_str(), &handle_,

@@ -1,6 +1,7 @@
 #include "motion/files.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "motion/problem.h"
@@ -34,6 +35,13 @@ TEST_F(Files, AreReplacedWholeAndLeaveNothingBeside) {
 TEST_F(Files, ThatAreMissingOrFoldersAreInputErrors) {
   EXPECT_THROW(read_file(folder_ / "none"), InputError);
   EXPECT_THROW(read_file(folder_), InputError);
+}
+
+// Both would never be read to an end.
+TEST_F(Files, ThatArePipesOrDevicesAreInputErrors) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_THROW(read_file(folder_ / "pipe"), InputError);
+  EXPECT_THROW(read_file("/dev/zero"), InputError);
 }
 
 TEST_F(Files, ThatCannotBeWrittenSayWhereAndLeaveNothing) {
