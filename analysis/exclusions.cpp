@@ -1,29 +1,10 @@
 #include "analysis/exclusions.h"
 
-#include <algorithm>
-
 #include "motion/problem.h"
+#include "study/csv.h"
 
 namespace promenade::analysis {
 namespace {
-
-// The fields of one line of CSV, without line end.
-std::vector<std::string> csv_fields(std::string_view line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += line[++i];
-    } else if (line[i] == '"') {
-      quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += line[i];
-    }
-  }
-  return fields;
-}
 
 std::string trimmed(const std::string& text) {
   const char* spaces = " \t\r";
@@ -32,26 +13,24 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(spaces) - first + 1);
 }
 
+bool is_header(const std::string& cell) {
+  return cell == "code" || cell == "Code" || cell == "CODE";
+}
+
 }  // namespace
 
 std::vector<Exclusion> parse_exclusions(const std::string& file, std::string_view text) {
   std::vector<Exclusion> exclusions;
   std::vector<Problem> problems;
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);  // of spreadsheets
-  int line = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::vector<std::string> fields = csv_fields(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-    ++line;
-    const std::string code = trimmed(fields[0]);
-    const std::string reason = fields.size() > 1 ? trimmed(fields[1]) : "";
-    const bool blank = code.empty() && fields.size() == 1;
-    if (blank || (line == 1 && code == "code")) continue;
-    if (code.empty() || fields.size() > 2) {
-      problems.push_back({file, line, 1, "want CODE,REASON here", Severity::error});
+  for (const study::CsvRow& row : study::parse_csv(text)) {
+    const std::string code = trimmed(row.cells[0]);
+    const std::string reason = row.cells.size() > 1 ? trimmed(row.cells[1]) : "";
+    const bool blank = code.empty() && row.cells.size() == 1;
+    if (blank || (row.line == 1 && is_header(code))) continue;
+    if (code.empty() || row.cells.size() > 2) {
+      problems.push_back({file, row.line, 1, "want CODE,REASON here", Severity::error});
     } else {
-      exclusions.push_back({code, reason, line});
+      exclusions.push_back({code, reason, row.line});
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));

@@ -183,7 +183,7 @@ std::vector<std::string> caveats(const Results& results) {
   if (results.log.repeated_sessions > 0) {
     sentences.push_back(
         count_of(results.log.repeated_sessions, "session stands", "sessions stand") +
-        " in more than one file and was taken from the first.");
+        " in more than one file; each was taken from the first.");
   }
   return sentences;
 }

@@ -123,6 +123,10 @@ TEST(Selection, NamesTheLineOfACodeThatNobodyHas) {
   }
 }
 
+TEST(Exclusions, MayHaveAHeaderInCapitals) {
+  EXPECT_EQ(parse_exclusions("x.csv", "CODE,REASON\nP1,\"slept,\nthen left\"\n").size(), 1u);
+}
+
 TEST(Exclusions, AreReadAsSpreadsheetsWriteThem) {
   const auto list = parse_exclusions("x.csv",
                                      "\xEF\xBB\xBF"
