@@ -1,6 +1,7 @@
 #include "motion/amc.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "motion/bvh.h"
 #include "motion/files.h"
@@ -150,7 +151,8 @@ INSTANTIATE_TEST_SUITE_P(Table, BrokenAmc, testing::ValuesIn(broken_files()),
 
 class AmcFolder : public testing::Test {
  protected:
-  AmcFolder() : folder_(fs::path(testing::TempDir()) / "promenade_amc") {
+  AmcFolder()
+      : folder_(fs::path(testing::TempDir()) / ("promenade_amc_" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     write("16_15.amc", toy_amc);
   }
