@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/zyx_angles.h"
+
 namespace promenade::motion {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double degrees = 180 / M_PI;
-
-// Angles about Z, Y and X with Rz Ry Rx = q, in degrees.
-Vector3d zyx_angles(const Eigen::Quaterniond& q) {
-  const Eigen::Matrix3d r = q.normalized().toRotationMatrix();
-  const double across = std::hypot(r(0, 0), r(1, 0));
-  const double y = std::atan2(-r(2, 0), across);
-  // Where Y is a right angle only the sum of the others counts.
-  if (across < 1e-9) return degrees * Vector3d(0, y, std::atan2(-r(1, 2), r(1, 1)));
-  return degrees * Vector3d(std::atan2(r(1, 0), r(0, 0)), y, std::atan2(r(2, 1), r(2, 2)));
-}
-
-// Near the angles of the frame before, so that other programs can interpolate.
-Vector3d unwrapped(Vector3d angles, const Vector3d& before) {
-  for (int axis = 0; axis < 3; ++axis) {
-    angles(axis) += 360 * std::round((before(axis) - angles(axis)) / 360);
-  }
-  return angles;
-}
 
 // At the most as many as ten seconds have at a thousand a second: what a damaged file says
 // must not fill the disk.
@@ -70,9 +52,10 @@ Clip cycle_clip(const MotionSet& set, const Cycle& cycle) {
     auto values = clip.values.col(f);
     values.head<3>() = pose.root + Vector3d(cycle.velocity.x(), 0, cycle.velocity.y()) * seconds;
     for (int j = 0; j < set.skeleton.size(); ++j) {
-      const Vector3d angles = zyx_angles(pose.rotations[static_cast<std::size_t>(j)]);
+      const Eigen::Matrix3d rotation =
+          pose.rotations[static_cast<std::size_t>(j)].normalized().toRotationMatrix();
       const Vector3d before = clip.values.col(std::max(f - 1, 0)).segment<3>(3 + 3 * j);
-      values.segment<3>(3 + 3 * j) = f == 0 ? angles : unwrapped(angles, before);
+      values.segment<3>(3 + 3 * j) = f == 0 ? zyx_angles(rotation) : zyx_angles(rotation, before);
     }
   }
   return clip;

@@ -1,43 +1,11 @@
 #include "motion/plain_clip.h"
 
-#include <cmath>
+#include "motion/zyx_angles.h"
 
 namespace promenade::motion {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double degree = M_PI / 180;
-
-Matrix3d about(double degrees, const Vector3d& axis) {
-  return Eigen::AngleAxisd(degrees * degree, axis).toRotationMatrix();
-}
-
-double nearest_turn(double angle, double previous) {
-  return angle - 360 * std::round((angle - previous) / 360);
-}
-
-// Degrees about Z, Y, X with R = Rz Ry Rx. Each angle is taken from what the ones before
-// leave, so that the product is right near 90 degrees about Y too.
-Vector3d zyx_angles(const Matrix3d& rotation) {
-  const double z = std::atan2(rotation(1, 0), rotation(0, 0)) / degree;
-  const Matrix3d rest = about(-z, Vector3d::UnitZ()) * rotation;
-  const double y = std::atan2(-rest(2, 0), rest(0, 0)) / degree;
-  const double x = std::atan2(-rest(1, 2), rest(1, 1)) / degree;
-  return {z, y, x};
-}
-
-// Of the ways to write a rotation, the one nearest to the frame before.
-Vector3d zyx_angles(const Matrix3d& rotation, const Vector3d& previous) {
-  Vector3d one = zyx_angles(rotation);
-  Vector3d other(one.x() + 180, 180 - one.y(), one.z() + 180);
-  for (int i = 0; i < 3; ++i) {
-    one(i) = nearest_turn(one(i), previous(i));
-    other(i) = nearest_turn(other(i), previous(i));
-  }
-  return (other - previous).squaredNorm() < (one - previous).squaredNorm() ? other : one;
-}
 
 bool turns(const JointChannels& joint) {
   for (const Channel channel : joint.channels) {
