@@ -5,6 +5,7 @@
 
 #include "motion/files.h"
 #include "motion/set_file.h"
+#include "study/adjective_model.h"
 #include "study/did_you_mean.h"
 #include "study/embedded.h"
 #include "study/store.h"
@@ -41,6 +42,17 @@ std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::stri
     }
     return std::nullopt;
   }
+}
+
+// Made once, and only when an interface asks.
+std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
+  constexpr std::string_view prefix = "builtin:";
+  const std::string& set = bundle.study.set;
+  if (bundle.adjectives || set.rfind(prefix, 0) != 0) return bundle.adjectives;
+  if (auto model = builtin_adjective_model(set.substr(prefix.size()))) {
+    bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
+  }
+  return bundle.adjectives;
 }
 
 void put(std::string& bytes, std::string_view part) {
@@ -89,7 +101,8 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);
   }
-  study.interfaces = read_interfaces(root, registry);
+  const InterfaceResources resources{bundle.space, [&bundle] { return adjectives_of(bundle); }};
+  study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
   study.ratings = read_ratings(root, study);
   bundle.warnings = reader.finish();

@@ -104,6 +104,8 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   const auto kind = table.choice("kind", {"match", "find"});
   task.limit_s = table.number("limit_s", 1, longest_limit_s);
   table.choice("start", {"average"});
+  task.blind = table.boolean("blind").value_or(false);
+  task.playback = table.boolean("playback").value_or(false);
   task.interfaces = read_interface_list(table, context.study);
   task.kind = kind == "find" ? TaskKind::find : TaskKind::match;
   if (kind == "match") read_match(table, context, task);
