@@ -5,9 +5,8 @@
 
 #include "motion/files.h"
 #include "motion/set_file.h"
-#include "study/did_you_mean.h"
 #include "study/embedded.h"
-#include "study/store.h"
+#include "study/identity.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -41,6 +40,12 @@ std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::stri
     }
     return std::nullopt;
   }
+}
+
+// Or leaves it to the default; not where the line that did was left out.
+bool names_its_set(const TomlTable& root) {
+  const auto section = root.table("study");
+  return root.reader().whole() || (section && section->has("set"));
 }
 
 void put(std::string& bytes, std::string_view part) {
@@ -78,13 +83,14 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
                        const SetLoader& load_set) {
   TomlReader reader(file, text);
-  if (!reader.ok()) reader.finish();
+  if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
   StudyBundle bundle;
   Study& study = bundle.study;
   read_study_section(root, study);
   read_display(root, study);
-  std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
+  std::optional<motion::MotionSet> set;
+  if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "motion/builtin.h"
 #include "study/rng.h"
 
 namespace promenade::study {
@@ -23,16 +24,8 @@ motion::DistancePoints points_of(const motion::PoseBank& bank, const VectorXd& w
 }
 
 std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
-  constexpr std::string_view prefix = "builtin:";
-  const std::string& set = bundle.study.set;
-  if (set.rfind(prefix, 0) != 0) return std::nullopt;
-  return builtin_adjective_model(set.substr(prefix.size()));
-}
-
-std::vector<std::string> names_of(const motion::MotionSet& set) {
-  std::vector<std::string> names;
-  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle.name);
-  return names;
+  const auto builtin = motion::builtin_name(bundle.study.set);
+  return builtin ? builtin_adjective_model(*builtin) : std::nullopt;
 }
 
 // The sliders of the adjectives, or why there are none.

@@ -1,8 +1,8 @@
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 
 #include <gtest/gtest.h>
 
-namespace promenade::study {
+namespace promenade {
 namespace {
 
 TEST(EditDistance, CountsLettersThatDiffer) {
@@ -20,4 +20,4 @@ TEST(ClosestName, IsOnlyGivenWhenItIsNear) {
 }
 
 }  // namespace
-}  // namespace promenade::study
+}  // namespace promenade
