@@ -27,6 +27,9 @@ class Reader {
     if (!problems_.empty()) throw InputError(problems_);
     for (std::size_t i = 1; i < rows.size(); ++i) check(rows[i]);
     if (rows.size() == 1) report(rows[0].place(0), "there are no ratings below the header");
+    std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+      return a.line != b.line ? a.line < b.line : a.column < b.column;
+    });
     if (!problems_.empty()) throw InputError(problems_);
     return table(rows);
   }

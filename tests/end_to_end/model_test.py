@@ -97,6 +97,23 @@ class Model(ProgramTest):
         self.assertAlmostEqual(shown["tasks"][0]["automatic_threshold_m"],
                                shown["tasks"][0]["threshold_m"], delta=1e-12)
 
+    def test_targets_of_a_set_that_nobody_rated_have_predicted_adjectives(self):
+        self.call("model", "raters", "builtin:A", "--out", "a.csv")
+        study = self.write("s.toml", '[study]\nname = "s"\nset = "builtin:N"\n[[interface]]\n'
+                           'name = "labels"\n[[task]]\nname = "t"\nkind = "match"\n'
+                           'targets = [{ example = "bouncy" }]\n')
+        names = [c["name"] for c in self.document("set", "info", "builtin:N", "--json")["cycles"]]
+        study = self.write("s.toml", (self.folder / study).read_text().replace("bouncy", names[3]))
+        found = self.document("model", "targets", study, "--predict", "a.csv", "--set", "builtin:A")
+        again = self.document("model", "targets", study, "--predict", "builtin:A")
+        self.assertTrue(found["adjectives"]["predicted"])
+        self.assertTrue(found["adjectives"]["simulated"])
+        self.assertEqual(found["controls"]["adjectives"],
+                         ["quickness", "clearness", "activeness", "largeness"])
+        self.assertEqual(found["missing"], [])
+        self.assertEqual(found["tasks"], again["tasks"])
+        self.assertEqual(self.call("model", "targets", study, "--predict", "a.csv").returncode, 2)
+
     def test_simulated_raters_write_the_ratings_of_the_default_model(self):
         model = self.document("model", "adjectives", "builtin:A")
         self.assertTrue(model["simulated"])

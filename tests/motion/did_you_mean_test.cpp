@@ -19,5 +19,18 @@ TEST(ClosestName, IsOnlyGivenWhenItIsNear) {
   EXPECT_EQ(did_you_mean("x", {}), "");
 }
 
+TEST(DidYouMean, TakesNoNoticeOfCaseWhereItIsTold) {
+  EXPECT_EQ(closest_name_of_any_case("chanels", {"OFFSET", "CHANNELS"}), "CHANNELS");
+  EXPECT_EQ(closest_name_of_any_case("OFSET", {"Offset"}), "Offset");
+  EXPECT_EQ(closest_name_of_any_case("x", {}), "");
+}
+
+TEST(DidYouMean, CostsLittleWhateverItIsAsked) {
+  const std::string longer(1'000'000, 'x');
+  EXPECT_EQ(closest_name(longer, {longer + "y"}), "");
+  const std::vector<std::string> many(1'000'000, "a name of no use");
+  EXPECT_EQ(closest_name("something else", many), "");
+}
+
 }  // namespace
 }  // namespace promenade
