@@ -24,4 +24,11 @@ Box Layout::box(float x, float y, float width, float height) const {
   return {left + size(x), top + size(y), right - size(x), bottom - size(y)};
 }
 
+StagePlan Layout::stage_plan(bool with_wall) const {
+  const auto y = [this](float at) { return top + size(at); };
+  if (!with_wall) return {stage(), size(400), y(540), y(624), box(16, 664, 816, 40), {}};
+  return {box(16, 64, 816, 404), size(270), y(384), y(428), box(16, 472, 816, 36),
+          box(16, 512, 816, 192)};
+}
+
 }  // namespace promenade::app

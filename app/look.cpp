@@ -54,6 +54,10 @@ Palette make_palette(bool paper) {
   if (paper) {
     palette.target = rgb(0x00A000);
     palette.created = rgb(0x2040E0);
+    palette.reference = rgb(0xE02020);
+    palette.example = rgb(0x2040E0);
+    palette.bookmark = rgb(0x008000);
+    palette.current = rgb(0xE02020);
   }
   return palette;
 }
@@ -64,7 +68,7 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(atlas.GetGlyphRangesDefault());
   for (const std::string& text : words) builder.AddText(text.c_str());
-  for (const char* text : {"–", "…", "“", "”", "’", "%"}) builder.AddText(text);
+  for (const char* text : {"–", "…", "“", "”", "’", "%", "°", "×", "½", "¼"}) builder.AddText(text);
   ImVector<ImWchar> ranges;  // the atlas reads it while it builds
   builder.BuildRanges(&ranges);
   const auto font = [&](const char* file, float pixels) {

@@ -24,13 +24,20 @@ struct Palette {
   Rgb line = rgb(0xCFCCC6);
   Rgb hover = rgb(0xE9E7E2);
   Rgb track = rgb(0xD5D2CC);
-  Rgb target = rgb(0x72B73E);   // green
-  Rgb created = rgb(0x2B5FB0);  // blue
+  Rgb target = rgb(0x72B73E);     // green
+  Rgb created = rgb(0x2B5FB0);    // blue
+  Rgb reference = rgb(0xB23A48);  // red
+  // On the map: the dots of the examples, of the bookmarks, and of what is shown.
+  Rgb example = rgb(0x8FA9CF);
+  Rgb bookmark = rgb(0x1F7A5C);
+  Rgb current = rgb(0x2B5FB0);
+  Rgb known = rgb(0xE6ECF5);  // the region that the examples cover
   Rgb pilot = rgb(0xE07B1A);
   Rgb on_colour = rgb(0xFFFFFF);  // text on `created`
 };
 
-// `paper`: the green and the blue of the source ([O] 6).
+// `paper`: as the sources have them: green, blue and red ([O] 6), and on the map blue
+// examples, green bookmarks and a red dot ([N] 5.4).
 Palette make_palette(bool paper);
 
 struct Fonts {

@@ -70,8 +70,8 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       options_(options),
       names_(cycle_names(bundle.space.set, texts)),
       by_name_(order_of(names_)),
-      content_{bundle.space, texts, names_, by_name_},
-      stage_(bundle.space.set),
+      stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
+      content_{bundle.space, texts, names_, by_name_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
   std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
@@ -82,18 +82,36 @@ bool SessionView::has_panel() const {
   return kind == PageKind::trial || kind == PageKind::instructions;
 }
 
-void SessionView::advance(std::int64_t now_us) {
+Cast SessionView::cast() const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
-    return stage_.advance(now_us, trial->target ? &*trial->target : nullptr, &trial->cycle);
+    const study::Task& task = task_of(bundle_.study, planned());
+    return {.target = trial->target ? &*trial->target : nullptr,
+            .created = &trial->cycle,
+            .blind = task.blind};
   }
-  if (session.page().kind != PageKind::instructions) {
-    return stage_.advance(now_us, nullptr, nullptr);
-  }
-  const auto index = static_cast<std::size_t>(session.page().trial);
-  const auto task = static_cast<std::size_t>(session.plan().trials[index].task);
-  const bool match = bundle_.study.tasks[task].kind == study::TaskKind::match;
-  stage_.advance(now_us, match ? &average_ : nullptr, &average_);
+  if (session.page().kind != PageKind::instructions) return {};
+  const bool match = task_of(bundle_.study, planned()).kind == study::TaskKind::match;
+  return {.target = match ? &average_ : nullptr, .created = &average_};
+}
+
+const study::PlannedTrial& SessionView::planned() const {
+  const study::Session& session = live_.session();
+  return session.plan().trials[static_cast<std::size_t>(session.page().trial)];
+}
+
+void SessionView::advance(std::int64_t now_us) { stage_.advance(now_us, cast()); }
+
+void SessionView::draw_figures(FigureRenderer& renderer) {
+  const Layout& layout = gui_.layout();
+  const Palette& palette = gui_.look().palette;
+  stage_.draw(renderer, layout, stage_plan(), palette);
+  if (has_panel()) renderer.fill(layout.panel(), palette.panel);
+  stage_.draw_small(renderer, palette);
+}
+
+StagePlan SessionView::stage_plan() const {
+  return gui_.layout().stage_plan(bundle_.study.display.examples == study::ExamplesWall::panel);
 }
 
 Moment SessionView::moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const {
@@ -120,7 +138,9 @@ void SessionView::frame(std::int64_t now_us) {
   actions_.clear();
   changes_.clear();
   ImGui::NewFrame();
-  draw_screen({.ui = {gui_.look(), gui_.layout(), widgets_},
+  focus_.begin(widgets_);
+  stage_.small_figures().clear();
+  draw_screen({.ui = {gui_.look(), gui_.layout(), widgets_, focus_},
                .bundle = bundle_,
                .session = live_.session(),
                .texts = texts_,
@@ -132,6 +152,7 @@ void SessionView::frame(std::int64_t now_us) {
                .simulated = options_.simulated,
                .failure = live_.failure() ? live_.failure()->c_str() : nullptr,
                .stage = stage_,
+               .stage_plan = stage_plan(),
                .memory = memory_,
                .actions = actions_,
                .changes = changes_});

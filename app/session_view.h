@@ -40,11 +40,16 @@ class SessionView {
   void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;
 
+  // Draws the figures of the page, large and small, and the ground of its panel.
+  void draw_figures(FigureRenderer& renderer);
   Stage& stage() { return stage_; }
-  bool has_panel() const;  // the page has a panel: its ground is filled before
   const WidgetMap& widgets() const { return widgets_; }
 
  private:
+  bool has_panel() const;
+  Cast cast() const;
+  StagePlan stage_plan() const;
+  const study::PlannedTrial& planned() const;  // of the page
   Moment moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const;
   void take_presses();
   void take_actions();
@@ -59,11 +64,12 @@ class SessionView {
   ViewOptions options_;
   std::vector<std::string> names_;
   std::vector<int> by_name_;
-  study::InterfacePanel::Content content_;
   Stage stage_;
+  study::InterfacePanel::Content content_;
   motion::Cycle average_;  // walks where nothing is asked yet
   ScreenMemory memory_;
   WidgetMap widgets_;
+  Focus focus_;
   std::vector<StudyAction> actions_;
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;

@@ -41,7 +41,8 @@ class Player {
       : setting_(setting),
         texts_(study::load_texts(setting.language)),
         window_({.title = setting.bundle.study.name, .windowed = setting.windowed}, queue_),
-        gui_(make_palette(setting.bundle.study.paper_colours), shown_words(setting.bundle, texts_)),
+        gui_(make_palette(setting.bundle.study.display.paper_colours),
+             shown_words(setting.bundle, texts_)),
         live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
     fit();
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), texts_, gui_, live_, queue_,
@@ -105,10 +106,8 @@ class Player {
   void draw_figures(std::int64_t now_us) {
     fit();
     view_->advance(now_us);
-    const Palette& palette = gui_.look().palette;
-    renderer_.begin(window_.width(), window_.height(), palette.background);
-    view_->stage().draw(renderer_, gui_.layout(), palette);
-    if (view_->has_panel()) renderer_.fill(gui_.layout().panel(), palette.panel);
+    renderer_.begin(window_.width(), window_.height(), gui_.look().palette.background);
+    view_->draw_figures(renderer_);
   }
 
   void draw_screen(std::int64_t now_us) {

@@ -3,49 +3,52 @@
 #include <cmath>
 
 namespace promenade::app {
-namespace {
 
-constexpr float figure_pixels = 400;  // at 1280 x 720
-constexpr float foot_height = 540;    // from the top of the picture
-
-void turn(std::vector<Part>& parts, float yaw) {
-  const Eigen::Matrix3f rotation =
-      Eigen::AngleAxisf(yaw, Eigen::Vector3f::UnitY()).toRotationMatrix();
-  for (Part& part : parts) {
-    part.a = rotation * part.a;
-    part.b = rotation * part.b;
-    part.thin = rotation * part.thin;
+const Rgb& colour_of(const Palette& palette, Role role) {
+  switch (role) {
+    case Role::target:
+      return palette.target;
+    case Role::reference:
+      return palette.reference;
+    case Role::created:
+      break;
   }
+  return palette.created;
 }
 
-}  // namespace
+Stage::Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels)
+    : set_(set), travels_(travels), mannequin_(make_mannequin(set)), small_(bank, mannequin_) {}
 
-Stage::Stage(const motion::MotionSet& set) : set_(set), mannequin_(make_mannequin(set)) {}
-
-void Stage::advance(std::int64_t now_us, const motion::Cycle* target,
-                    const motion::Cycle* created) {
+void Stage::advance(std::int64_t now_us, const Cast& cast) {
   // After a pause (a page without figures, a stopped program) the walk goes on
   // where it was.
   const std::int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
-  const double seconds = passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us);
+  double seconds = passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us);
+  seconds *= pace_.playing ? pace_.speed : 0;
   last_us_ = now_us;
-  const motion::Cycle* pace = target != nullptr ? target : created;
+  const motion::Cycle* pace = cast.target      ? cast.target
+                              : cast.reference ? cast.reference
+                                               : cast.created;
   const double before = phase_;
   if (pace != nullptr) {
     phase_ = motion::phase_at(set_, *pace, motion::seconds_at(set_, *pace, before) + seconds);
   }
-  pose(figures_[0], target, before);
-  pose(figures_[1], created, before);
+  pose(figure(Role::target), cast.target, before);
+  pose(figure(Role::reference), cast.reference, before);
+  pose(figure(Role::created), cast.created, before);
+  figure(Role::created).hidden = cast.blind;
   phase_ -= std::floor(phase_);
 }
 
 void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
   figure.present = cycle != nullptr;
   if (cycle == nullptr) return;
-  const motion::Pose at = motion::pose_at(set_, *cycle, phase_);
-  place_parts(mannequin_, motion::forward_kinematics(set_.skeleton, at), figure.parts);
+  motion::pose_at(set_, *cycle, phase_, pose_);
+  motion::forward_kinematics(set_.skeleton, pose_, world_);
+  place_parts(mannequin_, world_, figure.parts);
   turn(figure.parts, start_yaw + orbit_.yaw);
   figure.shadow.splat(figure.parts, shadow_light());
+  if (!travels_) return;
   // In its own time, so that its feet stay where they stand.
   const double seconds =
       motion::seconds_at(set_, *cycle, phase_) - motion::seconds_at(set_, *cycle, before);
@@ -54,42 +57,53 @@ void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
   figure.travel -= figure.travel.array().floor().matrix();
 }
 
-Box Stage::spot(const Layout& layout, Role role) const {
-  const Box stage = layout.stage();
-  if (!shows(Role::target)) return stage;
-  const float half = std::floor(0.5f * stage.width);
-  if (role == Role::target) return {stage.x, stage.y, half, stage.height};
-  return {stage.x + half, stage.y, stage.width - half, stage.height};
+// Those that are there share the stage from left to right.
+Box Stage::spot(const Box& stage, Role role) const {
+  int count = 0;
+  int place = 0;
+  for (const Role one : roles) {
+    if (one == role) place = count;
+    if (shows(one)) ++count;
+  }
+  const float width = std::floor(stage.width / static_cast<float>(std::max(count, 1)));
+  return {stage.x + width * static_cast<float>(place), stage.y, width, stage.height};
 }
 
-void Stage::draw(FigureRenderer& renderer, const Layout& layout, const Palette& palette) {
-  for (const Role role : {Role::target, Role::created}) {
-    Figure& figure = figures_[role == Role::target ? 0 : 1];
-    if (!figure.present) continue;
-    const Box box = spot(layout, role);
-    const Eigen::Vector2f foot(box.middle_x(), layout.top + layout.size(foot_height));
-    figure.view = make_view(orbit_, mannequin_.height, layout.size(figure_pixels), foot, box);
-    const bool target = role == Role::target;
-    renderer.draw_ground(figure.view,
-                         {.ring = target ? palette.target : palette.created,
-                          .dashed = target,
-                          .travel = figure.travel,
-                          .yaw = start_yaw + orbit_.yaw,
-                          .stroke = layout.scale},
-                         figure.shadow);
+void Stage::draw_ground(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
+                        const Palette& palette, Role role) {
+  static const Shadow none;
+  Figure& shown = figure(role);
+  const Box box = spot(plan.figures, role);
+  shown.view =
+      make_view(orbit_, mannequin_.height, plan.figure_height, {box.middle_x(), plan.foot_y}, box);
+  renderer.draw_ground(shown.view,
+                       {.ring = colour_of(palette, role),
+                        .dashed = role == Role::target,
+                        .travel = shown.travel,
+                        .yaw = start_yaw + orbit_.yaw,
+                        .stroke = layout.scale},
+                       shown.hidden ? none : shown.shadow);
+}
+
+void Stage::draw(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
+                 const Palette& palette) {
+  for (const Role role : roles) {
+    if (shows(role)) draw_ground(renderer, layout, plan, palette, role);
   }
-  for (const Role role : {Role::target, Role::created}) {
-    Figure& figure = figures_[role == Role::target ? 0 : 1];
-    if (!figure.present) continue;
-    figure.view.clip = layout.stage();
-    renderer.draw_parts(figure.view, figure.parts,
-                        role == Role::target ? palette.target : palette.created);
+  for (const Role role : roles) {
+    Figure& shown = figure(role);
+    if (!shown.present || shown.hidden) continue;
+    shown.view.clip = plan.figures;
+    renderer.draw_parts(shown.view, shown.parts, colour_of(palette, role));
   }
 }
 
-Eigen::Vector2f Stage::plate(const Layout& layout, Role role) const {
-  const Box box = spot(layout, role);
-  return {box.middle_x(), layout.top + layout.size(foot_height + 84)};
+void Stage::draw_small(FigureRenderer& renderer, const Palette& palette) {
+  small_.draw(renderer, phase_, start_yaw + orbit_.yaw, palette.track);
+}
+
+Eigen::Vector2f Stage::plate(const StagePlan& plan, Role role) const {
+  return {spot(plan.figures, role).middle_x(), plan.plate_y};
 }
 
 }  // namespace promenade::app

@@ -7,46 +7,77 @@
 #include "app/figure/renderer.h"
 #include "app/layout.h"
 #include "app/look.h"
+#include "app/small_figures.h"
 
 namespace promenade::app {
 
-enum class Role { target, created };
+enum class Role { target, created, reference };
+inline constexpr std::array<Role, 3> roles = {Role::target, Role::reference, Role::created};
+
+const Rgb& colour_of(const Palette& palette, Role role);
+
+// What is to be seen: null figures are not there.
+struct Cast {
+  const motion::Cycle* target = nullptr;
+  const motion::Cycle* created = nullptr;
+  const motion::Cycle* reference = nullptr;
+  bool blind = false;  // the created figure has its place, but is not shown
+};
+
+struct Pace {
+  bool playing = true;
+  double speed = 1;  // 1: as in life
+  bool operator==(const Pace&) const = default;
+};
 
 class Stage {
  public:
-  explicit Stage(const motion::MotionSet& set);
+  // `travels`: the figures walk over the ground; else on the spot.
+  Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels = true);
 
-  // One step of time with what is on stage: null figures are not there. Both walk
-  // at one phase, so that a change of weights never makes a figure jump. The target
-  // sets the pace, since what is to be matched must not change with the controls;
-  // alone, the created figure walks at its own.
-  void advance(std::int64_t now_us, const motion::Cycle* target, const motion::Cycle* created);
-  void draw(FigureRenderer& renderer, const Layout& layout, const Palette& palette);
+  // One step of time. All walk at one phase, so that a change of weights never makes a
+  // figure jump. The target sets the pace, since what is to be matched must not change
+  // with the controls; alone, the created figure walks at its own.
+  void advance(std::int64_t now_us, const Cast& cast);
+  void draw(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
+            const Palette& palette);
+  void draw_small(FigureRenderer& renderer, const Palette& palette);
 
   Orbit& orbit() { return orbit_; }
+  Pace& pace() { return pace_; }
+  SmallFigures& small_figures() { return small_; }
   double phase() const { return phase_; }
+  void scrub(double phase) { phase_ = phase; }
   bool shows(Role role) const { return figure(role).present; }
   // Under the feet of a figure, where its plate goes: pixels.
-  Eigen::Vector2f plate(const Layout& layout, Role role) const;
+  Eigen::Vector2f plate(const StagePlan& plan, Role role) const;
 
  private:
   struct Figure {
-    bool present = false;
+    bool present = false, hidden = false;
     std::vector<Part> parts;
     Shadow shadow;
     Eigen::Vector2f travel = Eigen::Vector2f::Zero();  // metres
     View view;
   };
-  const Figure& figure(Role role) const { return figures_[role == Role::target ? 0 : 1]; }
+  const Figure& figure(Role role) const { return figures_[static_cast<std::size_t>(role)]; }
+  Figure& figure(Role role) { return figures_[static_cast<std::size_t>(role)]; }
   void pose(Figure& figure, const motion::Cycle* cycle, double before);
-  Box spot(const Layout& layout, Role role) const;
+  Box spot(const Box& stage, Role role) const;
+  void draw_ground(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
+                   const Palette& palette, Role role);
 
   const motion::MotionSet& set_;
+  bool travels_;
   Mannequin mannequin_;
+  SmallFigures small_;
   Orbit orbit_;
+  Pace pace_;
   double phase_ = 0;
   std::int64_t last_us_ = -1;
-  std::array<Figure, 2> figures_;
+  std::array<Figure, 3> figures_;
+  motion::Pose pose_;
+  motion::WorldPose world_;
 };
 
 }  // namespace promenade::app

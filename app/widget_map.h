@@ -19,6 +19,9 @@ struct Widget {
   // Sliders: where the knob is, and where it is at the values 0 and 1.
   float knob = 0, at_zero = 0, at_one = 0;
   bool slides = false;
+  // Planes: the pixel of (0, 0), and how many pixels 1 is to the right and up.
+  float zero_x = 0, zero_y = 0, unit_x = 0, unit_y = 0;
+  bool plane = false;
 
   bool visible() const {
     return view.holds(box.middle_x(), box.y + 1) && view.holds(box.middle_x(), box.bottom() - 1);
@@ -40,6 +43,11 @@ class WidgetMap {
     slot.at_zero = widget.at_zero;
     slot.at_one = widget.at_one;
     slot.slides = widget.slides;
+    slot.zero_x = widget.zero_x;
+    slot.zero_y = widget.zero_y;
+    slot.unit_x = widget.unit_x;
+    slot.unit_y = widget.unit_y;
+    slot.plane = widget.plane;
   }
   const Widget* find(std::string_view kind, std::string_view target) const {
     for (std::size_t i = 0; i < used_; ++i) {
@@ -47,6 +55,8 @@ class WidgetMap {
     }
     return nullptr;
   }
+  std::size_t size() const { return used_; }
+  const Widget& operator[](std::size_t i) const { return widgets_[i]; }  // in the order drawn
 
  private:
   std::vector<Widget> widgets_;

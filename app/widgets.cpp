@@ -1,6 +1,7 @@
 #include "app/widgets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -13,27 +14,60 @@ ImVec2 low(const Box& box) { return {box.x, box.y}; }
 ImVec2 high(const Box& box) { return {box.right(), box.bottom()}; }
 
 struct Touch {
-  bool pressed, clicked, hovered, held;
+  bool pressed, clicked, hovered, held, focused;
 };
+
+void draw_ring(const Ui& ui, const Box& box) {
+  const float out = ui.layout.size(2);
+  ImGui::GetForegroundDrawList()->AddRect({box.x - out, box.y - out},
+                                          {box.right() + out, box.bottom() + out},
+                                          packed(ui.look.palette.text), 0, 0, ui.layout.size(2));
+}
+
+// In sight, if it is in a list that scrolls.
+void scroll_to(const Box& box) {
+  if (ImGui::GetScrollMaxY() <= 0) return;
+  ImGui::SetScrollFromPosY(box.middle_y() - ImGui::GetWindowPos().y, 0.5f);
+}
+
+// Enters the widget into the map and draws the ring; is the keyboard on it?
+bool enter(const Ui& ui, std::string_view kind, std::string_view target, Widget& widget,
+           const Box& box) {
+  widget.box = box;
+  widget.view = visible_box();
+  ui.widgets.add(kind, target, widget);
+  if (!ui.focus.on(kind, target)) return false;
+  if (ui.focus.arrived() && !widget.visible()) scroll_to(box);
+  if (ui.focus.ring() && widget.visible()) draw_ring(ui, box);
+  return true;
+}
 
 // The invisible part of every widget: where it can be touched.
 Touch touch(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
             Widget widget = {}) {
-  widget.box = box;
-  widget.view = visible_box();
-  ui.widgets.add(kind, target, widget);
+  if (ui.inert) return {};
+  const bool focused = enter(ui, kind, target, widget, box);
   ImGui::PushID(kind.data(), kind.data() + kind.size());
   ImGui::PushID(target.data(), target.data() + target.size());
   ImGui::SetCursorScreenPos(low(box));
   const bool clicked = ImGui::InvisibleButton("", {box.width, box.height});
   ImGui::PopID();
   ImGui::PopID();
-  return {ImGui::IsItemActivated(), clicked, ImGui::IsItemHovered(), ImGui::IsItemActive()};
+  const bool pressed = ImGui::IsItemActivated();
+  if (pressed) ui.focus.take(kind, target);
+  const bool key = focused && !ImGui::GetIO().WantTextInput &&
+                   (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false));
+  return {pressed || key, clicked || key, ImGui::IsItemHovered(), ImGui::IsItemActive(), focused};
 }
 
 float line_height(ImFont* font) { return std::round(font->FontSize * 1.08f); }
 
 }  // namespace
+
+bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+  Widget widget;
+  return enter(ui, kind, target, widget, box);
+}
 
 Box visible_box() {
   const ImVec2 from = ImGui::GetWindowDrawList()->GetClipRectMin();
@@ -134,8 +168,23 @@ bool list_row(const Ui& ui, std::string_view kind, std::string_view target, cons
   return now.pressed;
 }
 
-std::optional<double> slider(const Ui& ui, std::string_view target, const Box& box, double value,
-                             double start) {
+namespace {
+
+// Where the arrow keys take a slider.
+std::optional<double> slid_by_key(double value) {
+  const double step = ImGui::GetIO().KeyShift ? 0.1 : 0.01;
+  const auto steps = [&](double by) { return std::clamp(value + by, 0.0, 1.0); };
+  if (key_pressed(ImGuiKey_LeftArrow)) return steps(-step);
+  if (key_pressed(ImGuiKey_RightArrow)) return steps(step);
+  if (key_pressed(ImGuiKey_Home)) return 0;
+  if (key_pressed(ImGuiKey_End)) return 1;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
+                             const Box& box, double value, double start) {
   const Palette& palette = ui.look.palette;
   const float radius = ui.layout.size(14);
   const float from = box.x + radius;
@@ -146,17 +195,21 @@ std::optional<double> slider(const Ui& ui, std::string_view target, const Box& b
   widget.knob = place(value);
   widget.at_zero = from;
   widget.at_one = from + span;
-  const Touch now = touch(ui, "slide", target, box, widget);
+  const Touch now = touch(ui, kind, target, box, widget);
 
   // A press beside the knob brings it there; one on it takes it as it is.
   float& grip = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("grip"));
   const float mouse = ImGui::GetIO().MousePos.x;
+  const bool by_mouse = now.held && ImGui::IsMouseDown(0);
   if (now.pressed) grip = std::abs(mouse - widget.knob) <= radius ? widget.knob - mouse : 0;
   std::optional<double> moved;
-  if (now.held) {
+  if (by_mouse) {
     const double wanted = std::clamp(static_cast<double>((mouse + grip - from) / span), 0.0, 1.0);
     const bool same_pixel = std::abs(place(wanted) - widget.knob) < 0.25f;
     if (!same_pixel) moved = wanted;
+  } else if (now.focused) {
+    moved = slid_by_key(value);
+    if (moved == value) moved.reset();
   }
   const float y = std::round(box.middle_y());
   const float half = std::max(1.0f, ui.layout.size(2));
@@ -170,6 +223,76 @@ std::optional<double> slider(const Ui& ui, std::string_view target, const Box& b
   list->AddCircleFilled({knob, y}, size, packed(palette.created), 32);
   list->AddCircleFilled({knob, y}, size - ui.layout.size(4), packed(palette.on_colour), 32);
   return moved;
+}
+
+bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                 Icon icon, bool enabled) {
+  const Palette& palette = ui.look.palette;
+  const Touch now = touch(ui, kind, target, box);
+  if (now.hovered && enabled) fill(box, palette.hover);
+  const float inset = std::round(0.5f * (std::min(box.width, box.height) - ui.layout.size(18)));
+  const Box sign{box.middle_x() - ui.layout.size(9), box.y + inset, ui.layout.size(18),
+                 ui.layout.size(18)};
+  draw_icon(sign, icon, enabled ? palette.text : palette.line, ui.layout.size(2));
+  return now.clicked && enabled;
+}
+
+bool text_field(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                std::string& text, const char* hint, bool* entered) {
+  const float pad = std::round(0.5f * (box.height - ImGui::GetFontSize()));
+  fill(box, ui.look.palette.on_colour);
+  frame(box, ui.look.palette.line, ui.layout.size(1));
+  if (ui.inert) {
+    draw_text(ui.look.fonts.text, {box.x + ui.layout.size(12), box.y, box.width, box.height},
+              ui.look.palette.quiet, hint);
+    return false;
+  }
+  Widget widget;
+  const bool focused = enter(ui, kind, target, widget, box);
+  std::array<char, 256> buffer{};
+  const std::size_t length = std::min(text.size(), buffer.size() - 1);
+  std::copy_n(text.begin(), length, buffer.begin());
+  ImGui::PushID(kind.data(), kind.data() + kind.size());
+  ImGui::PushID(target.data(), target.data() + target.size());
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.layout.size(12), pad});
+  ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
+  ImGui::SetCursorScreenPos(low(box));
+  ImGui::SetNextItemWidth(box.width);
+  if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
+  const bool enter_pressed = ImGui::InputTextWithHint("", hint, buffer.data(), buffer.size(),
+                                                      ImGuiInputTextFlags_EnterReturnsTrue);
+  if (ImGui::IsItemActivated() && !focused) ui.focus.take(kind, target);
+  const bool edited = text != buffer.data();
+  if (edited) text = buffer.data();
+  if (entered != nullptr) *entered = enter_pressed;
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::PopID();
+  ImGui::PopID();
+  return edited;
+}
+
+PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                 const Eigen::Vector2f& zero, const Eigen::Vector2f& unit) {
+  Widget widget;
+  widget.plane = true;
+  widget.zero_x = zero.x();
+  widget.zero_y = zero.y();
+  widget.unit_x = unit.x();
+  widget.unit_y = unit.y();
+  const Touch now = touch(ui, kind, target, box, widget);
+  const ImGuiIO& io = ImGui::GetIO();
+  const Eigen::Vector2f mouse(io.MousePos.x, io.MousePos.y);
+  PlaneTouch result;
+  result.hovered = now.hovered;
+  result.pressed = now.pressed && ImGui::IsMouseDown(0);
+  result.held = now.held && ImGui::IsMouseDown(0);
+  result.at = {(mouse.x() - zero.x()) / unit.x(), (zero.y() - mouse.y()) / unit.y()};
+  result.moved = {io.MouseDelta.x, io.MouseDelta.y};
+  result.pan = now.hovered && (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2));
+  result.wheel = now.hovered ? io.MouseWheel : 0;
+  result.focused = now.focused;
+  return result;
 }
 
 }  // namespace promenade::app

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "app/focus.h"
 #include "app/layout.h"
 #include "app/look.h"
 #include "app/widget_map.h"
@@ -15,6 +16,8 @@ struct Ui {
   const Look& look;
   const Layout& layout;
   WidgetMap& widgets;
+  Focus& focus;
+  bool inert = false;  // drawn to be looked at: nothing reacts (a picture in the instructions)
 };
 
 enum class Align { left, centre, right };
@@ -23,6 +26,16 @@ enum class Align { left, centre, right };
 void draw_text(ImFont* font, const Box& box, const Rgb& colour, std::string_view text,
                Align align = Align::left);
 float text_width(ImFont* font, std::string_view text);
+
+// One line that fits: what is too long loses its middle, since many names of a set
+// differ at their ends only. No allocation.
+void draw_line(ImFont* font, const Box& box, const Rgb& colour, std::string_view text,
+               Align align = Align::left);
+inline constexpr std::string_view ellipsis = "…";
+struct Gap {
+  std::size_t head = 0, tail = 0;  // bytes that stay in front, and where the rest goes on
+};
+Gap fitting_gap(ImFont* font, std::string_view text, float width);
 
 // Paragraphs broken into lines, Japanese too; returns the height in pixels.
 float draw_paragraphs(ImFont* font, float x, float y, float width, const Rgb& colour,
@@ -46,9 +59,39 @@ bool small_button(const Ui& ui, std::string_view kind, std::string_view target, 
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked);
 
+enum class Icon { undo, redo, play, pause, plus, close, pen, back, minus };
+
+// A square button with a sign instead of words; true: pressed and released on it.
+bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                 Icon icon, bool enabled = true);
+void draw_icon(const Box& box, Icon icon, const Rgb& colour, float thickness);
+
+// One line of text to write; true: it was changed. `text` keeps its memory. `hint` stands
+// in the empty field. `entered`: Enter was pressed in it.
+bool text_field(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                std::string& text, const char* hint, bool* entered = nullptr);
+
+// A plane to press and drag in. `zero` is the pixel of (0, 0), `unit` how many pixels 1
+// is to the right and up.
+struct PlaneTouch {
+  bool hovered = false, pressed = false, held = false;
+  bool pan = false;                                 // dragged with another button
+  Eigen::Vector2f at = Eigen::Vector2f::Zero();     // of the pointer, in the plane's unit
+  Eigen::Vector2f moved = Eigen::Vector2f::Zero();  // since the frame before, pixels
+  float wheel = 0;                                  // notches
+  bool focused = false;                             // the arrow keys are meant for it
+};
+PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                 const Eigen::Vector2f& zero, const Eigen::Vector2f& unit);
+
 // A slider from 0 to 1 with a tick at `start`; the new value while it is dragged.
-std::optional<double> slider(const Ui& ui, std::string_view target, const Box& box, double value,
-                             double start);
+// `kind` is what it reports under. Arrow keys move it by a hundredth, with Shift by a
+// tenth; Home and End to the ends.
+std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
+                             const Box& box, double value, double start);
+
+// Enters something else that can be touched into the map; is the keyboard on it?
+bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
 
 // The part of the window that is drawn to now.
 Box visible_box();

@@ -44,20 +44,24 @@ double phase_at(const MotionSet& set, const Cycle& cycle, double seconds) {
   return warp(cycle.keytimes, set.key_phases, seconds);
 }
 
-Pose pose_at(const MotionSet& set, const Cycle& cycle, double phase) {
+void pose_at(const MotionSet& set, const Cycle& cycle, double phase, Pose& pose) {
   const int joints = set.skeleton.size();
   const double position = (phase - std::floor(phase)) * set.phases;
   const int f = std::min(static_cast<int>(position), set.phases - 1);
   const int g = (f + 1) % set.phases;
   const double share = position - f;
-  Pose pose;
   pose.root = (1 - share) * cycle.root.col(f) + share * cycle.root.col(g);
-  pose.rotations.reserve(static_cast<std::size_t>(joints));
+  pose.rotations.resize(static_cast<std::size_t>(joints));
   for (int j = 0; j < joints; ++j) {
     const Eigen::Quaterniond a(Eigen::Vector4d(cycle.rotations.col(f * joints + j)));
     const Eigen::Quaterniond b(Eigen::Vector4d(cycle.rotations.col(g * joints + j)));
-    pose.rotations.push_back(a.slerp(share, b));
+    pose.rotations[static_cast<std::size_t>(j)] = a.slerp(share, b);
   }
+}
+
+Pose pose_at(const MotionSet& set, const Cycle& cycle, double phase) {
+  Pose pose;
+  pose_at(set, cycle, phase, pose);
   return pose;
 }
 

@@ -65,5 +65,7 @@ double phase_at(const MotionSet& set, const Cycle& cycle, double seconds);
 
 // The pose at a phase, walking on the spot (the mean velocity left out).
 Pose pose_at(const MotionSet& set, const Cycle& cycle, double phase);
+// The same; `pose` keeps its memory.
+void pose_at(const MotionSet& set, const Cycle& cycle, double phase, Pose& pose);
 
 }  // namespace promenade::motion

@@ -41,11 +41,12 @@ class Search {
         type_(type),
         times_(times),
         target_(points_of(space, target, times)),
-        start_(type.start({space, use.parameters, start_weights(space), 1})),
+        start_(type.start({space, use.parameters, start_weights(space), 1, use.model})),
         rng_(1, 0, "reach") {}
 
   double distance_of(const InterfaceState& state) const {
-    return motion::distance(target_, points_of(space_, state.weights(settled_us), times_)).mean_m;
+    return motion::distance(target_, points_of(space_, weights_of(state, settled_us), times_))
+        .mean_m;
   }
 
   // A setting that someone might be at: a few proposals taken one after another.
@@ -73,13 +74,11 @@ class Search {
   }
 
  private:
-  static constexpr std::int64_t settled_us = 3'600'000'000;  // long after every change
-
   std::unique_ptr<InterfaceState> best_step(const InterfaceState& from, double& best) {
     std::unique_ptr<InterfaceState> found;
     for (const ControlInput& proposal : type_.simulate(from, rng_)) {
       std::unique_ptr<InterfaceState> next = from.clone();
-      if (!next->apply(proposal)) continue;
+      if (next->apply(proposal) != Applied::done) continue;
       const double d = distance_of(*next);
       if (d >= best) continue;
       best = d;

@@ -5,6 +5,12 @@
 
 namespace promenade::study {
 
+Eigen::VectorXd weights_of(const InterfaceState& state, std::int64_t t_us) {
+  Eigen::VectorXd weights;
+  state.weights(t_us, weights);
+  return weights;
+}
+
 void InterfaceRegistry::add(InterfaceType type) {
   assert(!find(type.name) && "an interface is declared once");
   types_.push_back(std::move(type));

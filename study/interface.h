@@ -25,6 +25,7 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 struct ControlInput {
   std::string kind;                   // "pick", "slide", "only", ...
   std::string target;                 // which control, by the interface's own word: "happy"
+  std::string text = {};              // what was typed: a filter, the name of a bookmark
   double value = no_value;            // where it was set, in the control's unit
   double x = no_value, y = no_value;  // of controls of two dimensions
   std::int64_t t_us = 0;              // microseconds since the session began
@@ -41,11 +42,39 @@ struct ParameterSpec {
   std::string sentence;              // with its unit; for the documentation
 };
 
+struct AdjectiveModel;
+
+// What an interface can be made of.
+struct InterfaceResources {
+  const motion::MotionSpace& space;
+  // Made when first asked for; null: nobody has rated the motions of this set.
+  std::function<std::shared_ptr<const AdjectiveModel>()> adjectives;
+};
+
+// What an interface works out once for a study (a map, a fit); derive from it.
+struct InterfaceModel {
+  virtual ~InterfaceModel() = default;
+};
+
+// Made, or why this motion set cannot have the interface.
+struct PreparedModel {
+  std::shared_ptr<const InterfaceModel> model;
+  std::string problem;  // "nobody has rated the motions of this set"; empty: none
+};
+
 struct InterfaceContext {
   const motion::MotionSpace& space;
   const Parameters& parameters;  // complete: standards filled in
   Eigen::VectorXd start;         // N, the weights that are shown until a control is touched
   std::uint64_t seed;            // for interfaces that draw random numbers
+  std::shared_ptr<const InterfaceModel> model = nullptr;  // of InterfaceType::prepare
+};
+
+// What became of an input.
+enum class Applied {
+  refused,  // no such control or value here: nothing changed
+  aside,    // it changed what the panel shows, never the motion: a zoom, a filter
+  done      // it changed the controls; undo takes it back
 };
 
 // The controls of an interface during one trial. No clock, no I/O, no UI.
@@ -53,11 +82,19 @@ class InterfaceState {
  public:
   virtual ~InterfaceState() = default;
   virtual std::unique_ptr<InterfaceState> clone() const = 0;
-  // Changes the controls. False: no such control or value here, nothing changed.
-  virtual bool apply(const ControlInput& input) = 0;
+  virtual Applied apply(const ControlInput& input) = 0;
   // N weights that sum to 1, a function of the inputs and the time alone.
-  virtual Eigen::VectorXd weights(std::int64_t t_us) const = 0;
+  // Allocation-free when `weights` has N.
+  virtual void weights(std::int64_t t_us, Eigen::VectorXd& weights) const = 0;
+  // The controls as they stand, as inputs that would set them: what is logged when a
+  // trial begins, so that a start value is never taken for an answer.
+  virtual std::vector<ControlInput> settings() const { return {}; }
 };
+
+// Long after every input: what glides has arrived.
+constexpr std::int64_t settled_us = std::numeric_limits<std::int64_t>::max() / 4;
+
+Eigen::VectorXd weights_of(const InterfaceState& state, std::int64_t t_us);
 
 // Where an interface draws itself; app/panel.h defines it, study/ passes it along.
 class InterfacePanel;
@@ -67,6 +104,8 @@ struct InterfaceType {
   std::string sentence;  // what it is, for the documentation
   std::vector<ParameterSpec> parameters;
   std::vector<std::string> texts;  // keys of configs/languages/*.toml that it shows
+  // Once for each [[interface]] of a study; empty: there is nothing to work out.
+  std::function<PreparedModel(const InterfaceResources&, const Parameters&)> prepare = {};
   std::function<std::unique_ptr<InterfaceState>(const InterfaceContext&)> start;
   // What a person might do next; the simulated participant chooses among these.
   std::function<std::vector<ControlInput>(const InterfaceState&, Rng&)> simulate;

@@ -46,7 +46,20 @@ void accept_all_keys(const TomlTable& table) {
   for (const std::string& key : table.keys()) table.scalar(key);
 }
 
-InterfaceUse read_interface(const TomlTable& table, const InterfaceRegistry& registry) {
+// The model that all trials of this interface share.
+void prepare(const TomlTable& table, const InterfaceType& type, const InterfaceResources& resources,
+             InterfaceUse& use) {
+  if (!type.prepare) return;
+  PreparedModel prepared = type.prepare(resources, use.parameters);
+  if (!prepared.problem.empty()) {
+    table.error(table.has("type") ? "type" : "name",
+                "this study cannot use the interface \"" + type.name + "\": " + prepared.problem);
+  }
+  use.model = std::move(prepared.model);
+}
+
+InterfaceUse read_interface(const TomlTable& table, const InterfaceRegistry& registry,
+                            const InterfaceResources* resources) {
   InterfaceUse use;
   use.name = read_name(table);
   use.type = table.text("type").value_or(use.name);
@@ -64,19 +77,20 @@ InterfaceUse read_interface(const TomlTable& table, const InterfaceRegistry& reg
   for (const ParameterSpec& spec : type->parameters) {
     use.parameters[spec.name] = read_parameter(table, spec);
   }
+  if (resources) prepare(table, *type, *resources, use);
   return use;
 }
 
 }  // namespace
 
-std::vector<InterfaceUse> read_interfaces(const TomlTable& root,
-                                          const InterfaceRegistry& registry) {
+std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry,
+                                          const InterfaceResources* resources) {
   std::vector<InterfaceUse> uses;
   std::vector<std::string> names;
   if (!root.has("interface")) root.error("a study needs at least one [[interface]]");
   const std::vector<TomlTable> tables = root.tables("interface");
   for (const TomlTable& table : tables) {
-    uses.push_back(read_interface(table, registry));
+    uses.push_back(read_interface(table, registry, resources));
     names.push_back(uses.back().name);
   }
   refuse_doubles(tables, names, "interface");

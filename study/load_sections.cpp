@@ -134,7 +134,14 @@ void read_study_section(const TomlTable& root, Study& study) {
 void read_display(const TomlTable& root, Study& study) {
   const auto table = root.table("display");
   if (!table) return;
-  study.paper_colours = table->choice("colours", {"standard", "paper"}) == "paper";
+  Display& display = study.display;
+  display.paper_colours = table->choice("colours", {"standard", "paper"}) == "paper";
+  display.travels = table->choice("walk", {"ground", "spot"}) != "spot";
+  display.screen = static_cast<int>(table->integer("screen", 1, 16).value_or(0));
+  display.scale = table->number("scale", 0.5, 1).value_or(1);
+  const auto examples = table->choice("examples", {"none", "panel", "screen"});
+  if (examples == "panel") display.examples = ExamplesWall::panel;
+  if (examples == "screen") display.examples = ExamplesWall::screen;
 }
 
 std::vector<Rating> read_ratings(const TomlTable& root, const Study& study) {

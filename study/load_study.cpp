@@ -3,8 +3,10 @@
 #include <filesystem>
 #include <utility>
 
+#include "motion/builtin.h"
 #include "motion/files.h"
 #include "motion/set_file.h"
+#include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
 #include "study/study_parts.h"
@@ -46,6 +48,16 @@ std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::stri
 bool names_its_set(const TomlTable& root) {
   const auto section = root.table("study");
   return root.reader().whole() || (section && section->has("set"));
+}
+
+// Made once, and only when an interface asks.
+std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
+  const auto builtin = motion::builtin_name(bundle.study.set);
+  if (bundle.adjectives || !builtin) return bundle.adjectives;
+  if (auto model = builtin_adjective_model(*builtin)) {
+    bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
+  }
+  return bundle.adjectives;
 }
 
 void put(std::string& bytes, std::string_view part) {
@@ -95,7 +107,8 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);
   }
-  study.interfaces = read_interfaces(root, registry);
+  const InterfaceResources resources{bundle.space, [&bundle] { return adjectives_of(bundle); }};
+  study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
   study.ratings = read_ratings(root, study);
   bundle.warnings = reader.finish();

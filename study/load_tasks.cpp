@@ -105,6 +105,8 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   const auto kind = table.choice("kind", {"match", "find"});
   task.limit_s = table.number("limit_s", 1, longest_limit_s);
   table.choice("start", {"average"});
+  task.blind = table.boolean("blind").value_or(false);
+  task.playback = table.boolean("playback").value_or(false);
   task.interfaces = read_interface_list(table, context.study);
   // Without a kind the other keys tell: what is wrong with them is said all the same.
   const bool find = kind ? *kind == "find" : table.has("qualities");

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -30,6 +31,8 @@ struct Decline {};    // no consent
 struct Press {};      // a mouse button went down: Input::x, y in pixels
 struct Done {};       // the participant ends the trial
 struct StartOver {};  // back to the state in which the trial began
+struct Undo {};       // what was last done to the controls
+struct Redo {};
 struct Control {
   ControlInput input;
 };  // its t_us is set by step from Input::t_us
@@ -39,7 +42,13 @@ struct SetAnswer {
 };
 struct Camera {
   double yaw = 0, pitch = 0, zoom = 1;
-};  // radians; 1 as at the start
+  double right = 0, up = 0;  // how far it was moved, metres
+};                           // radians; 1 as at the start
+struct Playback {
+  bool playing = true;
+  double speed = 1;   // 1: as in life
+  double phase = -1;  // 0 to 1, where a scrub put the walk; -1: it goes on
+};
 struct LateFrame {
   std::int64_t late_us = 0;
 };
@@ -53,17 +62,19 @@ struct Input {
   std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
-  std::variant<Tick, Continue, Decline, Press, Done, StartOver, Control, SetAnswer, Camera,
-               LateFrame, Stop>
+  std::variant<Tick, Continue, Decline, Press, Done, StartOver, Undo, Redo, Control, SetAnswer,
+               Camera, Playback, LateFrame, Stop>
       action;
 };
 
 // What is logged: one for each row of the database, in order. Kinds of events:
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
 // begins from the common start), "continue", "continue_refused", "decline", "press",
-// "done", "start_over", "answer", "camera", "late_frame", "stop"; and what was done to
-// a control under the interface's own word, with {"applied": true or false} in its
-// detail: by this a replay knows them.
+// "done", "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame",
+// "stop"; and what was done to a control under the interface's own word, with
+// {"applied": true or false} in its detail: by this a replay knows them. There are also
+// {"first": true}, the first time that a control was touched in a trial, {"text": ...},
+// what was typed, and in the detail of "start" the controls as the system set them.
 struct TrialStarted {
   int trial = 0;  // index into Plan::trials
   std::int64_t t_us = 0;
@@ -105,15 +116,30 @@ struct SessionEnded {
 };
 using Record = std::variant<TrialStarted, Event, Sample, Answer, TrialEnded, SessionEnded>;
 
+// What undo takes back: the controls before each gesture, where a gesture is all that
+// is done to one control from one press of the mouse, or of a key, to the next.
+struct History {
+  struct Step {
+    std::unique_ptr<InterfaceState> interface;
+    bool touched = false;
+  };
+  std::vector<Step> undo, redo;
+  std::string gesture;  // "kind target" of the one that goes on; empty: it has ended
+  std::int64_t last_us = 0;
+};
+
 // The running trial, for the screen.
 struct TrialState {
   int index = 0;  // into Plan::trials
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;
-  bool touched = false;     // false: the start is shown, whatever the controls say
-  Eigen::VectorXd weights;  // shown now
-  motion::PoseBlend blend;  // of these weights
-  motion::Cycle cycle;      // the same as a cycle
+  History history;                      // of the controls
+  std::set<std::string> first_touched;  // controls, as "kind target"
+  bool touched = false;                 // false: the start is shown, whatever the controls say
+  Eigen::VectorXd weights;              // shown now
+  Eigen::VectorXd next;                 // scratch
+  motion::PoseBlend blend;              // of these weights
+  motion::Cycle cycle;                  // the same as a cycle
   std::optional<motion::Cycle> target;
   std::optional<motion::DistancePoints> target_points;  // of the target, for D
   std::optional<double> d;                              // of what is shown

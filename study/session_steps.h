@@ -33,11 +33,21 @@ struct Session::Steps {
   void act(const Press&);
   void act(const Done&);
   void act(const StartOver&);
+  void act(const Undo&);
+  void act(const Redo&);
   void act(const Control& control);
   void act(const SetAnswer& answer);
   void act(const Camera& camera);
+  void act(const Playback& playback);
   void act(const LateFrame& late);
   void act(const Stop& stop);
+
+  // session_history.cpp: what undo takes back
+  std::unique_ptr<InterfaceState> before_gesture(const ControlInput& next) const;
+  void remember(const ControlInput& input, std::unique_ptr<InterfaceState> before, bool touched);
+  void step_back(const char* kind, std::vector<History::Step>& from,
+                 std::vector<History::Step>& to);
+  void end_gesture();
 
   // An event by the input's actor, or by the system, at the running trial.
   Event& log(const char* kind);

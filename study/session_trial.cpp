@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "study/session_steps.h"
 
 namespace promenade::study {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 void measure(const motion::PoseBank& bank, motion::DistanceTimes times, TrialState& trial) {
   motion::set_weights(bank, trial.weights, trial.blend);
@@ -26,6 +29,28 @@ void measure(const motion::PoseBank& bank, motion::DistanceTimes times, TrialSta
 
 std::optional<double> logged(double value) {
   return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+// What a replay and a reader of the log need to know of an input beside its columns.
+std::string control_json(const ControlInput& input, Applied applied, bool first) {
+  Json json = {{"applied", applied != Applied::refused}};
+  if (first) json["first"] = true;
+  if (!input.text.empty()) json["text"] = input.text;
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string controls_json(const InterfaceState& interface) {
+  const std::vector<ControlInput> settings = interface.settings();
+  if (settings.empty()) return "";
+  Json controls = Json::array();
+  for (const ControlInput& setting : settings) {
+    Json one = {{"kind", setting.kind}, {"target", setting.target}};
+    if (!std::isnan(setting.value)) one["value"] = setting.value;
+    if (!std::isnan(setting.x)) one["x"] = setting.x;
+    if (!std::isnan(setting.y)) one["y"] = setting.y;
+    controls.push_back(std::move(one));
+  }
+  return Json{{"controls", controls}}.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -50,7 +75,7 @@ void Session::Steps::reset_trial(TrialState& trial) const {
   const auto number = static_cast<std::uint64_t>(trial.index);
   trial.weights = start_weights(bundle.space);
   trial.interface = type->start({bundle.space, use.parameters, trial.weights,
-                                 Rng(session.plan_.seed, number, "interface").next()});
+                                 Rng(session.plan_.seed, number, "interface").next(), use.model});
   trial.touched = false;
   trial.below_since_us.reset();
 }
@@ -73,7 +98,7 @@ void Session::Steps::open_trial(std::int64_t t_us) {
   trial.summary.trial = trial.index;
   records.emplace_back(TrialStarted{trial.index, t_us, trial.d});
   session.trial_ = std::move(trial);
-  log_system("start", t_us);
+  log_system("start", t_us).detail = controls_json(*session.trial_->interface);
   records.emplace_back(
       Sample{session.trial_->index, t_us, session.trial_->d, session.trial_->weights});
 }
@@ -104,7 +129,9 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
   while (session.trial_) {
     const TrialState& trial = *session.trial_;
     constexpr std::int64_t never = INT64_MAX;
-    const std::int64_t won = trial.below_since_us ? *trial.below_since_us + task().dwell_us : never;
+    // Whoever works blind learns nothing from the end of the trial before Done.
+    const bool ends_itself = trial.below_since_us && !task().blind;
+    const std::int64_t won = ends_itself ? *trial.below_since_us + task().dwell_us : never;
     const std::optional<double>& limit = task().limit_s;
     const std::int64_t over =
         limit ? trial.started_us + static_cast<std::int64_t>(*limit * 1e6) : never;
@@ -117,9 +144,9 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
 void Session::Steps::act(const Tick&) {
   if (!session.trial_ || !session.trial_->touched) return;
   TrialState& trial = *session.trial_;
-  Eigen::VectorXd weights = trial.interface->weights(input.t_us);
-  if (weights == trial.weights) return;
-  trial.weights = std::move(weights);
+  trial.interface->weights(input.t_us, trial.next);
+  if (trial.next == trial.weights) return;
+  trial.weights.swap(trial.next);
   show(trial, input.t_us, false);
 }
 
@@ -127,6 +154,7 @@ void Session::Steps::act(const Press&) {
   Event& event = log("press");
   event.x = input.x;
   event.y = input.y;
+  end_gesture();
   if (session.trial_ && input.actor == Actor::participant) ++session.trial_->summary.clicks;
 }
 
@@ -140,8 +168,11 @@ void Session::Steps::act(const Done&) {
 void Session::Steps::act(const StartOver&) {
   if (!session.trial_) return;
   log("start_over");
-  reset_trial(*session.trial_);
-  show(*session.trial_, input.t_us, true);
+  TrialState& trial = *session.trial_;
+  end_gesture();
+  remember({.kind = "start_over", .target = ""}, std::move(trial.interface), trial.touched);
+  reset_trial(trial);
+  show(trial, input.t_us, true);
 }
 
 void Session::Steps::act(const Control& control) {
@@ -149,27 +180,39 @@ void Session::Steps::act(const Control& control) {
   TrialState& trial = *session.trial_;
   ControlInput change = control.input;
   change.t_us = input.t_us;
-  const bool applied = trial.interface->apply(change);
+  std::unique_ptr<InterfaceState> before = before_gesture(change);
+  const Applied applied = trial.interface->apply(change);
   Event& event = log(change.kind.c_str());
   event.target = change.target;
   event.value = logged(change.value);
   event.x = logged(change.x);
   event.y = logged(change.y);
-  event.detail = applied ? R"({"applied":true})" : R"({"applied":false})";
-  if (!applied) return;
+  const bool first = applied == Applied::done && input.actor == Actor::participant &&
+                     trial.first_touched.insert(change.kind + " " + change.target).second;
+  event.detail = control_json(change, applied, first);
+  if (applied != Applied::done) return;
+  remember(change, std::move(before), trial.touched);
   if (input.actor == Actor::participant) ++trial.summary.changes;
-  Eigen::VectorXd weights = trial.interface->weights(input.t_us);
+  trial.interface->weights(input.t_us, trial.next);
   // The first touch counts even where it shows the start: from now on it can win.
-  const bool shows = !trial.touched || weights != trial.weights;
+  const bool shows = !trial.touched || trial.next != trial.weights;
   trial.touched = true;
   if (!shows) return;
-  trial.weights = std::move(weights);
+  trial.weights.swap(trial.next);
   show(trial, input.t_us, true);
 }
 
 void Session::Steps::act(const Camera& camera) {
   log("camera").detail =
-      fmt::format(R"({{"yaw":{},"pitch":{},"zoom":{}}})", camera.yaw, camera.pitch, camera.zoom);
+      fmt::format(R"({{"yaw":{},"pitch":{},"zoom":{},"right":{},"up":{}}})", camera.yaw,
+                  camera.pitch, camera.zoom, camera.right, camera.up);
+}
+
+void Session::Steps::act(const Playback& playback) {
+  Event& event = log("playback");
+  event.target = playback.playing ? "play" : "pause";
+  event.value = playback.speed;
+  if (playback.phase >= 0) event.detail = fmt::format(R"({{"phase":{}}})", playback.phase);
 }
 
 void Session::Steps::act(const LateFrame& late) {

@@ -132,9 +132,9 @@ std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& sessi
   std::optional<ControlInput> chosen;
   for (const ControlInput& idea : ideas) {
     const std::unique_ptr<InterfaceState> next = trial.interface->clone();
-    if (!next->apply(idea)) continue;
+    if (next->apply(idea) != Applied::done) continue;
     const double result =
-        imagined(next->weights(trial.started_us)) + person_.imagination_m * unit() * rng_.normal();
+        imagined(weights_of(*next, settled_us)) + person_.imagination_m * unit() * rng_.normal();
     if (result >= best) continue;
     best = result;
     chosen = idea;

@@ -19,9 +19,10 @@ namespace promenade::study {
 
 // [[interface]]: one condition of the study.
 struct InterfaceUse {
-  std::string name;       // as in the results; the type's name unless given
-  std::string type;       // in the registry
-  Parameters parameters;  // complete
+  std::string name;                             // as in the results; the type's name unless given
+  std::string type;                             // in the registry
+  Parameters parameters;                        // complete
+  std::shared_ptr<const InterfaceModel> model;  // what its type prepared; null: nothing
 };
 
 // What a trial asks for: a motion to reproduce, or a quality to find.
@@ -40,6 +41,8 @@ struct Task {
   TaskKind kind = TaskKind::match;
   std::optional<double> limit_s;      // nothing: as long as it takes
   std::optional<double> threshold_m;  // D that wins (match); nothing: only Done ends it
+  bool blind = false;                 // the created figure is not shown; only Done ends the trial
+  bool playback = false;              // the walk can be paused, slowed down and scrubbed
   std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
   motion::DistanceTimes distance = motion::DistanceTimes::time;  // when D compares (match)
   std::vector<int> interfaces;                                   // indices into Study::interfaces
@@ -54,6 +57,18 @@ struct Rating {
   int points = 7;
 };
 
+// Where all examples walk beside the task, as the video of [O] 6 did.
+enum class ExamplesWall { none, panel, screen };
+
+// [display]
+struct Display {
+  bool paper_colours = false;
+  bool travels = true;  // the figures walk over the ground; else on the spot
+  int screen = 0;       // which display, from 1; 0: the first one
+  double scale = 1;     // of the picture, 0.5 to 1 of the screen
+  ExamplesWall examples = ExamplesWall::none;
+};
+
 enum class Order { williams, latin, random, fixed };
 
 struct Study {
@@ -62,7 +77,7 @@ struct Study {
   std::vector<std::string> languages = {"en"};
   std::uint64_t seed = 1;
   Order order = Order::williams;
-  bool paper_colours = false;
+  Display display;
   std::vector<InterfaceUse> interfaces;
   std::vector<Task> tasks;
   std::vector<Rating> ratings;
@@ -77,6 +92,8 @@ struct StudyBundle {
   std::string sha256;       // over everything that the study shows
   motion::MotionSpace space;
   motion::PoseBank bank;  // of this space: what is shown comes from it
+  // Behind the adjectives; null: no interface asked for it, or there are no ratings.
+  std::shared_ptr<const AdjectiveModel> adjectives;
   std::string set_bytes, set_sha256;
   std::vector<Problem> warnings;
 };

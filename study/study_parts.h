@@ -28,7 +28,9 @@ LocalText read_languages(const TomlTable& table, const std::string& name, const 
 
 void read_study_section(const TomlTable& root, Study& study);
 void read_display(const TomlTable& root, Study& study);
-std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry);
+// `resources` is null when the motion set could not be read.
+std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry,
+                                          const InterfaceResources* resources);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context);

@@ -87,7 +87,7 @@ bool is_whole_entry(std::string_view line) {
     if (!bare && std::string_view("_-. \t").find(c) == std::string_view::npos) return false;
   }
   const auto count = [line](char c) { return std::count(line.begin(), line.end(), c); };
-  return count('[') == count(']') && count('{') == count('}') && line.find("\"\"\"") == line.npos &&
+  return count('[') == count(']') && count('{') == count('}') && line.find(R"(""")") == line.npos &&
          line.find("'''") == line.npos;
 }
 

@@ -84,4 +84,14 @@ Mannequin make_mannequin(const motion::MotionSet& set) {
   return made;
 }
 
+void turn(std::vector<Part>& parts, float yaw) {
+  const Eigen::Matrix3f rotation =
+      Eigen::AngleAxisf(yaw, Eigen::Vector3f::UnitY()).toRotationMatrix();
+  for (Part& part : parts) {
+    part.a = rotation * part.a;
+    part.b = rotation * part.b;
+    part.thin = rotation * part.thin;
+  }
+}
+
 }  // namespace promenade::app

@@ -41,4 +41,7 @@ Mannequin make_mannequin(const motion::MotionSet& set);
 void place_parts(const Mannequin& mannequin, const motion::WorldPose& pose,
                  std::vector<Part>& parts);
 
+// About the vertical axis through the origin, radians.
+void turn(std::vector<Part>& parts, float yaw);
+
 }  // namespace promenade::app

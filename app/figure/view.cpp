@@ -27,6 +27,7 @@ View make_view(const Orbit& orbit, double height, float pixels, const Eigen::Vec
   // The middle of the figure keeps its place whatever is turned.
   view.centre = foot - Eigen::Vector2f(0, 0.5f * pixels);
   view.focal *= orbit.zoom;
+  view.centre += view.focal / camera_distance * Eigen::Vector2f(orbit.right, -orbit.up);
   view.clip = clip;
   return view;
 }

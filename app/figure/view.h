@@ -14,6 +14,9 @@ struct Orbit {
   float yaw = 0;    // radians, of the figure; 0: the three-quarter view of the start
   float pitch = 0;  // radians, added to the start's
   float zoom = 1;
+  float right = 0, up = 0;  // metres that the picture was moved
+
+  bool operator==(const Orbit&) const = default;
 };
 
 inline constexpr float start_yaw = 0.62f;       // the figure faces right of the viewer

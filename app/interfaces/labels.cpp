@@ -6,6 +6,7 @@
 namespace promenade::app {
 namespace {
 
+using study::Applied;
 using study::ControlInput;
 using study::InterfacePanel;
 using study::InterfaceState;
@@ -19,15 +20,18 @@ class Labels final : public InterfaceState {
 
   std::unique_ptr<InterfaceState> clone() const override { return std::make_unique<Labels>(*this); }
 
-  bool apply(const ControlInput& input) override {
+  Applied apply(const ControlInput& input) override {
     const int cycle = input.kind == "pick" ? motion::find_cycle(*set_, input.target) : -1;
-    if (cycle < 0) return false;
+    if (cycle < 0) return Applied::refused;
     picked_ = cycle;
-    return true;
+    return Applied::done;
   }
 
-  Eigen::VectorXd weights(std::int64_t) const override {
-    return picked_ < 0 ? start_ : Eigen::VectorXd(Eigen::VectorXd::Unit(start_.size(), picked_));
+  void weights(std::int64_t, Eigen::VectorXd& weights) const override {
+    weights = start_;
+    if (picked_ < 0) return;
+    weights.setZero();
+    weights(picked_) = 1;
   }
 
   const motion::MotionSet& set() const { return *set_; }

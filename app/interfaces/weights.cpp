@@ -12,6 +12,7 @@
 namespace promenade::app {
 namespace {
 
+using study::Applied;
 using study::ControlInput;
 using study::InterfacePanel;
 using study::InterfaceState;
@@ -30,24 +31,38 @@ class Weights final : public InterfaceState {
     return std::make_unique<Weights>(*this);
   }
 
-  bool apply(const ControlInput& input) override {
+  Applied apply(const ControlInput& input) override {
     const int cycle = motion::find_cycle(*set_, input.target);
-    if (cycle < 0) return false;
+    if (cycle < 0) return Applied::refused;
     if (input.kind == "slide" && input.value >= 0 && input.value <= 1) {
       sliders_(cycle) = input.value;
-      return true;
+      return Applied::done;
     }
     if (input.kind == "only" && has_only_) {
       sliders_ = Eigen::VectorXd::Unit(sliders_.size(), cycle);
-      return true;
+      return Applied::done;
     }
-    return false;
+    return Applied::refused;
   }
 
   // All at zero asks for nothing: the start is shown.
-  Eigen::VectorXd weights(std::int64_t) const override {
+  void weights(std::int64_t, Eigen::VectorXd& weights) const override {
     const double sum = sliders_.sum();
-    return sum > 0 && std::isfinite(1 / sum) ? Eigen::VectorXd(sliders_ / sum) : start_;
+    if (sum > 0 && std::isfinite(1 / sum)) {
+      weights = sliders_ / sum;
+    } else {
+      weights = start_;
+    }
+  }
+
+  std::vector<ControlInput> settings() const override {
+    std::vector<ControlInput> settings;
+    for (int i = 0; i < set_->size(); ++i) {
+      settings.push_back({.kind = "slide",
+                          .target = set_->cycles[static_cast<std::size_t>(i)].name,
+                          .value = sliders_(i)});
+    }
+    return settings;
   }
 
   const motion::MotionSet& set() const { return *set_; }
@@ -106,41 +121,12 @@ void draw_share(const InterfacePanel& panel, const Columns& at, double share) {
             {text.data(), static_cast<std::size_t>(end + 1 - text.data())}, Align::right);
 }
 
-// Where the letters of UTF-8 begin, and the end.
-std::vector<std::size_t> letters_of(std::string_view text) {
-  std::vector<std::size_t> starts;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) starts.push_back(i);
-  }
-  starts.push_back(text.size());
-  return starts;
-}
-
-// A long name loses its middle: many names of a set differ at their ends only.
-std::string shortened(ImFont* font, std::string_view name, float width) {
-  if (text_width(font, name) <= width) return std::string(name);
-  const std::vector<std::size_t> at = letters_of(name);
-  std::string shown = "…";
-  for (std::size_t kept = at.size() - 2; kept > 0; --kept) {
-    const std::size_t head = (kept + 1) / 2;
-    const std::size_t tail = at[at.size() - 1 - (kept - head)];
-    shown = std::string(name.substr(0, at[head])) + "…" + std::string(name.substr(tail));
-    if (text_width(font, shown) <= width) return shown;
-  }
-  return shown;
-}
-
-void draw_name(const InterfacePanel& panel, const Box& box, std::string_view name) {
-  ImFont* font = panel.look().fonts.text;
-  draw_text(font, box, panel.look().palette.text, shortened(font, name, box.width));
-}
-
 void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int cycle,
               double share) {
   const auto i = static_cast<std::size_t>(cycle);
   const std::string& target = weights.set().cycles[i].name;
   const Columns at = columns_of(panel, row, weights.has_only());
-  draw_name(panel, at.name, panel.content().names[i]);
+  panel.line(panel.look().fonts.text, at.name, panel.look().palette.text, panel.content().names[i]);
   panel.slide(target, at.slider, weights.sliders()(cycle), slider_start);
   draw_share(panel, at, share);
   if (weights.has_only()) {
@@ -150,7 +136,7 @@ void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int
 
 void draw(const InterfaceState& state, InterfacePanel& panel) {
   const auto& weights = static_cast<const Weights&>(state);
-  const Eigen::VectorXd shares = weights.weights(0);
+  const Eigen::VectorXd shares = study::weights_of(state, panel.now_us());
   const int rows = weights.set().size();
   // All in sight when there is room for the knobs, else a list that scrolls.
   const float note = panel.size(32);

@@ -34,8 +34,7 @@ void draw_instructions(const Screen& screen) {
       screen.bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
   draw_text(ui.look.fonts.heading, ui.layout.box(32, 24, 800, 56), palette.text,
             screen.texts("instructions.title"));
-  orbit_with_mouse(screen);
-  draw_plates(screen);
+  draw_stage(screen);
   draw_text(ui.look.fonts.text, ui.layout.box(32, 84, 784, 28), palette.quiet,
             screen.texts("instructions.camera"));
 

@@ -1,8 +1,5 @@
 #include "app/screens/screen.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace promenade::app {
 namespace {
 
@@ -71,47 +68,6 @@ float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled,
   pressed = button(ui, "continue", ui.layout.box(760, 640, 200, 48), texts.button,
                    ButtonKind::filled, enabled);
   return from + height;
-}
-
-void orbit_with_mouse(const Screen& screen) {
-  const Box stage = screen.ui.layout.stage();
-  Orbit& orbit = screen.stage.orbit();
-  ImGui::SetCursorScreenPos({stage.x, stage.y});
-  ImGui::InvisibleButton("stage", {stage.width, stage.height});
-  Widget widget;
-  widget.box = stage;
-  widget.view = stage;
-  screen.ui.widgets.add("stage", "stage", widget);
-  const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActive()) {
-    orbit.yaw += 0.008f * io.MouseDelta.x / screen.ui.layout.scale;
-    orbit.pitch = std::clamp(orbit.pitch + 0.006f * io.MouseDelta.y / screen.ui.layout.scale,
-                             -start_pitch + 0.02f, 1.2f);
-  }
-  if (ImGui::IsItemHovered() && io.MouseWheel != 0) {
-    orbit.zoom = std::clamp(orbit.zoom * std::pow(1.1f, io.MouseWheel), 0.7f, 2.5f);
-  }
-  const Orbit told = screen.memory.told.value_or(Orbit{});
-  if (told.yaw == orbit.yaw && told.pitch == orbit.pitch && told.zoom == orbit.zoom) return;
-  screen.memory.told = orbit;
-  screen.actions.emplace_back(study::Camera{orbit.yaw, orbit.pitch, orbit.zoom});
-}
-
-void draw_plates(const Screen& screen) {
-  const Ui& ui = screen.ui;
-  const Palette& palette = ui.look.palette;
-  for (const Role role : {Role::target, Role::created}) {
-    if (!screen.stage.shows(role)) continue;
-    const bool target = role == Role::target;
-    const std::string& text = screen.texts(target ? "trial.target" : "trial.yours");
-    const Eigen::Vector2f at = screen.stage.plate(ui.layout, role);
-    const float width = std::round(text_width(ui.look.fonts.bold, text) + ui.layout.size(28));
-    const Box plate{std::round(at.x() - 0.5f * width), at.y(), width, ui.layout.size(30)};
-    fill(plate, target ? palette.target : palette.created);
-    // Black on the light green, white on the dark blue: both can be read.
-    draw_text(ui.look.fonts.bold, plate, target ? palette.text : palette.on_colour, text,
-              Align::centre);
-  }
 }
 
 const study::PlannedTrial& planned_trial(const Screen& screen) {

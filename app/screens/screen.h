@@ -24,6 +24,7 @@ struct ScreenMemory {
   bool wants_start = false;   // the welcome page is left: the code is to be checked
   std::optional<Orbit> told;  // the camera that was last reported
   int camera_trial = -1;      // the trial that the camera was set for
+  Eigen::VectorXd example;    // scratch of the wall
 };
 
 // What a page draws from.
@@ -39,6 +40,7 @@ struct Screen {
   bool pilot, simulated;
   const char* failure;  // why the session has to stop; null: it goes on
   Stage& stage;
+  const StagePlan& stage_plan;
   ScreenMemory& memory;
   std::vector<StudyAction>& actions;          // out
   std::vector<study::ControlInput>& changes;  // out: what was done to the controls
@@ -63,9 +65,13 @@ struct PageTexts {
 // A column with a heading, text and the page's main button; returns where free room
 // begins, pixels. True in `pressed`: the button was.
 float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed);
-// Turning and zooming the figures with the mouse on the stage.
-void orbit_with_mouse(const Screen& screen);
-void draw_plates(const Screen& screen);
+// The plates, and what the mouse does on the stage: the left button turns the figures,
+// another moves them, the wheel brings them closer.
+void draw_stage(const Screen& screen);
+// Play, pause, slow motion and scrub.
+void draw_transport(const Screen& screen);
+// All examples, walking.
+void draw_wall(const Screen& screen);
 const study::PlannedTrial& planned_trial(const Screen& screen);
 const study::Task& task_of(const Screen& screen);
 // "Find a walk that looks confident", with the prefix of the key ("trial", "intro").

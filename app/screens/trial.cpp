@@ -65,10 +65,42 @@ void draw_panel(const Screen& screen, const study::TrialState& trial) {
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::BeginChild("panel", {box.width, box.height}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PushID(trial.index);
-  study::InterfacePanel panel(screen.ui, box, screen.content, screen.changes);
+  study::InterfacePanel panel(screen.ui, box, screen.content, screen.now_us, screen.changes);
   type->draw(*trial.interface, panel);
   ImGui::PopID();
   ImGui::EndChild();
+}
+
+// Ctrl-Z, and Ctrl-Y or Ctrl-Shift-Z.
+bool undo_key() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyCtrl && !io.KeyShift && key_pressed(ImGuiKey_Z);
+}
+bool redo_key() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return io.KeyCtrl && (key_pressed(ImGuiKey_Y) || (io.KeyShift && key_pressed(ImGuiKey_Z)));
+}
+
+void draw_below_panel(const Screen& screen, const study::TrialState& trial) {
+  const Ui& ui = screen.ui;
+  if (button(ui, "start_over", ui.layout.start_over(), screen.texts("trial.start_over"),
+             ButtonKind::quiet)) {
+    screen.actions.emplace_back(study::StartOver{});
+  }
+  const bool typing = ImGui::GetIO().WantTextInput;
+  const bool can_undo = !trial.history.undo.empty();
+  const bool can_redo = !trial.history.redo.empty();
+  if (icon_button(ui, "press", "undo", ui.layout.undo(), Icon::undo, can_undo) ||
+      (can_undo && !typing && undo_key())) {
+    screen.actions.emplace_back(study::Undo{});
+  }
+  if (icon_button(ui, "press", "redo", ui.layout.redo(), Icon::redo, can_redo) ||
+      (can_redo && !typing && redo_key())) {
+    screen.actions.emplace_back(study::Redo{});
+  }
+  if (button(ui, "done", ui.layout.done(), screen.texts("trial.done"), ButtonKind::filled)) {
+    screen.actions.emplace_back(study::Done{});
+  }
 }
 
 }  // namespace
@@ -76,23 +108,18 @@ void draw_panel(const Screen& screen, const study::TrialState& trial) {
 void draw_trial(const Screen& screen) {
   const study::TrialState* trial = screen.session.trial();
   if (trial == nullptr) return;
-  const Ui& ui = screen.ui;
   if (screen.memory.camera_trial != trial->index) {
     // Every trial begins with the same view; whoever wants another turns again.
     screen.memory.camera_trial = trial->index;
     screen.memory.told = screen.stage.orbit() = Orbit{};
+    screen.stage.pace() = Pace{};
   }
   draw_strip(screen, *trial);
-  orbit_with_mouse(screen);
-  draw_plates(screen);
   draw_panel(screen, *trial);
-  if (button(ui, "start_over", ui.layout.start_over(), screen.texts("trial.start_over"),
-             ButtonKind::quiet)) {
-    screen.actions.emplace_back(study::StartOver{});
-  }
-  if (button(ui, "done", ui.layout.done(), screen.texts("trial.done"), ButtonKind::filled)) {
-    screen.actions.emplace_back(study::Done{});
-  }
+  draw_below_panel(screen, *trial);
+  if (task_of(screen).playback) draw_transport(screen);
+  if (screen.bundle.study.display.examples == study::ExamplesWall::panel) draw_wall(screen);
+  draw_stage(screen);
 }
 
 }  // namespace promenade::app

@@ -14,7 +14,7 @@ struct KeyName {
   ImGuiKey imgui;
 };
 
-constexpr std::array<KeyName, 14> keys = {{{GLFW_KEY_TAB, ImGuiKey_Tab},
+constexpr std::array<KeyName, 20> keys = {{{GLFW_KEY_TAB, ImGuiKey_Tab},
                                            {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
                                            {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
                                            {GLFW_KEY_UP, ImGuiKey_UpArrow},
@@ -27,7 +27,23 @@ constexpr std::array<KeyName, 14> keys = {{{GLFW_KEY_TAB, ImGuiKey_Tab},
                                            {GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
                                            {GLFW_KEY_SPACE, ImGuiKey_Space},
                                            {GLFW_KEY_ENTER, ImGuiKey_Enter},
-                                           {GLFW_KEY_ESCAPE, ImGuiKey_Escape}}};
+                                           {GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+                                           {GLFW_KEY_A, ImGuiKey_A},
+                                           {GLFW_KEY_C, ImGuiKey_C},
+                                           {GLFW_KEY_V, ImGuiKey_V},
+                                           {GLFW_KEY_X, ImGuiKey_X},
+                                           {GLFW_KEY_Y, ImGuiKey_Y},
+                                           {GLFW_KEY_Z, ImGuiKey_Z}}};
+
+// Either of the two keys of a kind counts.
+void set_modifiers(ImGuiIO& io, const UiEvent& event) {
+  if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) {
+    io.KeyCtrl = event.down;
+  }
+  if (event.code == GLFW_KEY_LEFT_SHIFT || event.code == GLFW_KEY_RIGHT_SHIFT) {
+    io.KeyShift = event.down;
+  }
+}
 
 void set_key([[maybe_unused]] ImGuiIO& io, const UiEvent& event) {
 #if IMGUI_VERSION_NUM >= 18700
@@ -66,12 +82,17 @@ bool InputQueue::hand_over(const UiEvent& event, ImGuiIO& io) {
       return false;
     case UiEvent::Kind::key:
       set_key(io, event);
+      set_modifiers(io, event);
       return true;
     case UiEvent::Kind::character:
       io.AddInputCharacter(static_cast<unsigned int>(event.code));
       return false;
     case UiEvent::Kind::focus:
-      if (!event.down) std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+      // What was held is released elsewhere.
+      if (!event.down) {
+        std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
+        io.KeyCtrl = io.KeyShift = false;
+      }
       return true;
   }
   return false;

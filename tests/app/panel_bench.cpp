@@ -6,6 +6,7 @@
 
 #include "app/session_view.h"
 #include "motion/builtin.h"
+#include "study/adjective_model.h"
 #include "study/study.h"
 
 namespace promenade::app::bench {
@@ -48,16 +49,29 @@ study::Parameters standard_parameters(const study::InterfaceType& type) {
   return parameters;
 }
 
+study::PreparedModel prepared_model(const study::InterfaceType& type,
+                                    const motion::MotionSpace& space,
+                                    const study::Parameters& parameters) {
+  if (!type.prepare) return {};
+  const auto adjectives = [&space]() -> std::shared_ptr<const study::AdjectiveModel> {
+    static const auto model =
+        std::make_shared<const study::AdjectiveModel>(*study::builtin_adjective_model("A"));
+    return &space == &bench::space() ? model : nullptr;
+  };
+  return type.prepare({space, adjectives}, parameters);
+}
+
 PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space)
     : space_(space),
       type_(*interfaces().find(interface)),
       texts_(study::load_texts("en")),
       parameters_(standard_parameters(type_)),
+      prepared_(prepared_model(type_, space, parameters_)),
       names_(cycle_names(space.set, texts_)),
       by_name_(sorted_order(names_)),
-      content_{space_, texts_, names_, by_name_},
+      content_{space_, texts_, names_, by_name_, nullptr},
       gui_(make_palette(false), names_),
-      state_(type_.start({space_, parameters_, study::start_weights(space_), 1})) {
+      state_(type_.start({space_, parameters_, study::start_weights(space_), 1, prepared_.model})) {
   gui_.fit(1280, 720);
   unsigned char* pixels = nullptr;
   int width = 0;
@@ -71,20 +85,24 @@ void PanelBench::frame() {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = 1.0f / 60;
   queue_.feed(io);
-  widgets_.clear();
   std::vector<study::ControlInput> changes;
+  now_us_ += 16'667;
   ImGui::NewFrame();
+  focus_.begin(widgets_);
+  widgets_.clear();
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize(io.DisplaySize);
   ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
-  const Ui ui{gui_.look(), gui_.layout(), widgets_};
-  study::InterfacePanel panel(ui, box(), content_, changes);
+  const Ui ui{gui_.look(), gui_.layout(), widgets_, focus_};
+  study::InterfacePanel panel(ui, box(), content_, now_us_, changes);
   type_.draw(*state_, panel);
   ImGui::End();
   ImGui::Render();
   vertices_ = ImGui::GetDrawData()->TotalVtxCount;
-  for (const study::ControlInput& change : changes) {
-    if (!state_->apply(change)) throw std::logic_error("the panel reported what cannot be");
+  for (study::ControlInput& change : changes) {
+    change.t_us = now_us_;
+    if (state_->apply(change) == study::Applied::refused)
+      throw std::logic_error("the panel reported what cannot be");
     log_.push_back(change);
   }
 }

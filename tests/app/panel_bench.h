@@ -39,7 +39,7 @@ class PanelBench {
   }
   const study::InterfaceType& type() const { return type_; }
   study::InterfaceState& state() { return *state_; }
-  Eigen::VectorXd weights() const { return state_->weights(0); }
+  Eigen::VectorXd weights() const { return study::weights_of(*state_, now_us_); }
   const std::vector<study::ControlInput>& log() const { return log_; }  // all reports
   const study::Texts& texts() const { return texts_; }
   Box box() const { return gui_.layout().panel(); }
@@ -50,17 +50,24 @@ class PanelBench {
   const study::InterfaceType& type_;
   study::Texts texts_;
   study::Parameters parameters_;
+  study::PreparedModel prepared_;
   std::vector<std::string> names_;
   std::vector<int> by_name_;
   study::InterfacePanel::Content content_;
   Gui gui_;
   InputQueue queue_;
   WidgetMap widgets_;
+  Focus focus_;
+  std::int64_t now_us_ = 0;
   std::unique_ptr<study::InterfaceState> state_;
   std::vector<study::ControlInput> log_;
   int vertices_ = 0;
 };
 
 study::Parameters standard_parameters(const study::InterfaceType& type);
+// What the type works out for a space; adjectives from the simulated raters of set A.
+study::PreparedModel prepared_model(const study::InterfaceType& type,
+                                    const motion::MotionSpace& space,
+                                    const study::Parameters& parameters);
 
 }  // namespace promenade::app::bench

@@ -21,7 +21,8 @@ class EveryInterface : public testing::TestWithParam<std::string> {
  protected:
   const InterfaceType& type() const { return *interfaces().find(GetParam()); }
   std::unique_ptr<InterfaceState> start() const {
-    return type().start({bench::space(), parameters_, study::start_weights(bench::space()), 7});
+    return type().start({bench::space(), parameters_, study::start_weights(bench::space()), 7,
+                         bench::prepared_model(type(), bench::space(), parameters_).model});
   }
 
  private:
@@ -46,7 +47,7 @@ TEST_P(EveryInterface, WeightsAreFiniteAndSumToOneWhateverIsDone) {
   Rng rng(1, 2, "test");
   for (int k = 0; k < 10'000; ++k) {
     state->apply(random_input(type(), *state, rng));
-    const Eigen::VectorXd weights = state->weights(1000 * k);
+    const Eigen::VectorXd weights = study::weights_of(*state, 1000 * k);
     ASSERT_TRUE(weights.allFinite()) << k;
     ASSERT_EQ(weights.size(), bench::space().set.size());
     // Ten numbers near 1 summed: a few units in the last place of each.
@@ -58,9 +59,10 @@ TEST_P(EveryInterface, WhatIsRefusedChangesNothing) {
   const std::unique_ptr<InterfaceState> state = start();
   Rng rng(3, 4, "test");
   for (int k = 0; k < 1000; ++k) {
-    const Eigen::VectorXd before = state->weights(0);
-    const bool applied = state->apply(random_input(type(), *state, rng));
-    ASSERT_TRUE(applied || state->weights(0) == before) << k;
+    const Eigen::VectorXd before = study::weights_of(*state, 0);
+    const study::Applied applied = state->apply(random_input(type(), *state, rng));
+    const bool done = applied == study::Applied::done;
+    ASSERT_TRUE(done || study::weights_of(*state, 0) == before) << k;
   }
 }
 
@@ -70,7 +72,9 @@ TEST_P(EveryInterface, ItsOwnProposalsAreAccepted) {
   for (int k = 0; k < 300; ++k) {
     const std::vector<ControlInput> ideas = type().simulate(*state, rng);
     ASSERT_FALSE(ideas.empty());
-    for (const ControlInput& idea : ideas) ASSERT_TRUE(state->clone()->apply(idea)) << idea.target;
+    for (const ControlInput& idea : ideas) {
+      ASSERT_NE(state->clone()->apply(idea), study::Applied::refused) << idea.target;
+    }
     state->apply(ideas.front());
   }
 }
@@ -78,9 +82,9 @@ TEST_P(EveryInterface, ItsOwnProposalsAreAccepted) {
 TEST_P(EveryInterface, AClonesChangesAreItsOwn) {
   const std::unique_ptr<InterfaceState> state = start();
   Rng rng(7, 8, "test");
-  const Eigen::VectorXd before = state->weights(0);
+  const Eigen::VectorXd before = study::weights_of(*state, 0);
   for (const ControlInput& idea : type().simulate(*state, rng)) state->clone()->apply(idea);
-  EXPECT_EQ(state->weights(0), before);
+  EXPECT_EQ(study::weights_of(*state, 0), before);
 }
 
 TEST_P(EveryInterface, DrawingReportsAPlaceForEveryProposal) {

@@ -15,7 +15,7 @@ Study study_of(int interfaces, Order order) {
   study.order = order;
   Task task;
   for (int i = 0; i < interfaces; ++i) {
-    study.interfaces.push_back({std::to_string(i), "pick", {}});
+    study.interfaces.push_back({std::to_string(i), "pick", {}, nullptr});
     task.interfaces.push_back(i);
   }
   task.targets.resize(4);

@@ -69,13 +69,13 @@ class Pick : public InterfaceState {
   explicit Pick(const InterfaceContext& context)
       : set_(&context.space.set), start_(context.start) {}
   std::unique_ptr<InterfaceState> clone() const override { return std::make_unique<Pick>(*this); }
-  bool apply(const ControlInput& input) override {
+  Applied apply(const ControlInput& input) override {
     const int found = input.kind == "pick" ? motion::find_cycle(*set_, input.target) : -1;
     if (found >= 0) picked_ = found;
-    return found >= 0;
+    return found >= 0 ? Applied::done : Applied::refused;
   }
-  Eigen::VectorXd weights(std::int64_t) const override {
-    return picked_ < 0 ? start_ : unit(set_->size(), picked_);
+  void weights(std::int64_t, Eigen::VectorXd& weights) const override {
+    weights = picked_ < 0 ? start_ : unit(set_->size(), picked_);
   }
   const MotionSet& set() const { return *set_; }
 
@@ -93,15 +93,24 @@ class Mix : public InterfaceState {
         start_(context.start),
         sliders_(Eigen::VectorXd::Zero(set_->size())) {}
   std::unique_ptr<InterfaceState> clone() const override { return std::make_unique<Mix>(*this); }
-  bool apply(const ControlInput& input) override {
+  Applied apply(const ControlInput& input) override {
     const int found = input.kind == "slide" ? motion::find_cycle(*set_, input.target) : -1;
-    if (found < 0 || !(input.value >= 0 && input.value <= 1)) return false;
+    if (found < 0 || !(input.value >= 0 && input.value <= 1)) return Applied::refused;
     sliders_(found) = input.value;
-    return true;
+    return Applied::done;
   }
-  Eigen::VectorXd weights(std::int64_t) const override {
+  void weights(std::int64_t, Eigen::VectorXd& weights) const override {
     const Eigen::VectorXd shaped = square_ ? Eigen::VectorXd(sliders_.cwiseAbs2()) : sliders_;
-    return shaped.sum() > 0 ? Eigen::VectorXd(shaped / shaped.sum()) : start_;
+    weights = shaped.sum() > 0 ? Eigen::VectorXd(shaped / shaped.sum()) : start_;
+  }
+  std::vector<ControlInput> settings() const override {
+    std::vector<ControlInput> settings;
+    for (int i = 0; i < set_->size(); ++i) {
+      settings.push_back({.kind = "slide",
+                          .target = set_->cycles[static_cast<std::size_t>(i)].name,
+                          .value = sliders_(i)});
+    }
+    return settings;
   }
   const MotionSet& set() const { return *set_; }
 

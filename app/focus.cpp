@@ -1,0 +1,30 @@
+#include "app/focus.h"
+
+namespace promenade::app {
+
+bool key_pressed(ImGuiKey key, bool repeat) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeat);
+}
+
+void Focus::take(std::string_view kind, std::string_view target) {
+  kind_ = kind;
+  target_ = target;
+  ring_ = false;
+}
+
+void Focus::begin(const WidgetMap& before) {
+  arrived_ = false;
+  const std::size_t count = before.size();
+  if (count == 0 || !key_pressed(ImGuiKey_Tab)) return;
+  const bool back = ImGui::GetIO().KeyShift;
+  std::size_t next = back ? count - 1 : 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (on(before[i].kind, before[i].target)) next = (i + (back ? count - 1 : 1)) % count;
+  }
+  take(before[next].kind, before[next].target);
+  ring_ = arrived_ = true;
+  // A text field that was written in lets the keyboard go.
+  ImGui::SetWindowFocus(nullptr);
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,36 @@
+// Which control the keyboard works on. Tab and Shift-Tab go through the controls of the
+// page in the order in which they are drawn; Enter and Space press the control, the
+// arrow keys move it. A ring shows it once the keyboard was used.
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "app/widget_map.h"
+
+namespace promenade::app {
+
+class Focus {
+ public:
+  // Once a frame, after ImGui::NewFrame, with the controls of the frame before.
+  void begin(const WidgetMap& before);
+  bool on(std::string_view kind, std::string_view target) const {
+    return kind == kind_ && target == target_;
+  }
+  // The mouse took this one; no ring.
+  void take(std::string_view kind, std::string_view target);
+  bool ring() const { return ring_; }
+  // The keyboard came here in this frame: bring it into sight.
+  bool arrived() const { return arrived_; }
+
+ private:
+  std::string kind_, target_;
+  bool ring_ = false, arrived_ = false;
+};
+
+// Was the key pressed, or is it held and repeats?
+bool key_pressed(ImGuiKey key, bool repeat = true);
+
+}  // namespace promenade::app
