@@ -21,6 +21,11 @@ std::vector<int> sorted_order(const std::vector<std::string>& names) {
   return order;
 }
 
+study::Parameters with(const study::Parameters& changed, study::Parameters parameters) {
+  for (const auto& [name, value] : changed) parameters.at(name) = value;
+  return parameters;
+}
+
 }  // namespace
 
 const motion::MotionSpace& space() {
@@ -61,11 +66,12 @@ study::PreparedModel prepared_model(const study::InterfaceType& type,
   return type.prepare({space, adjectives}, parameters);
 }
 
-PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space)
+PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space,
+                       const study::Parameters& changed)
     : space_(space),
       type_(*interfaces().find(interface)),
       texts_(study::load_texts("en")),
-      parameters_(standard_parameters(type_)),
+      parameters_(with(changed, standard_parameters(type_))),
       prepared_(prepared_model(type_, space, parameters_)),
       names_(cycle_names(space.set, texts_)),
       by_name_(sorted_order(names_)),
@@ -127,6 +133,11 @@ void PanelBench::key(int glfw_key) {
   push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = false});
 }
 
+void PanelBench::type(const std::string& ascii) {
+  for (const char letter : ascii) push({.kind = UiEvent::Kind::character, .code = letter});
+  frame();
+}
+
 void PanelBench::click(const std::string& kind, const std::string& target) {
   const Widget* widget = find(kind, target);
   if (widget == nullptr) throw std::logic_error("there is no " + kind + " " + target);
@@ -135,8 +146,9 @@ void PanelBench::click(const std::string& kind, const std::string& target) {
   release();
 }
 
-void PanelBench::drag(const std::string& target, double value, int steps) {
-  const Widget widget = *find("slide", target);
+void PanelBench::drag(const std::string& target, double value, int steps,
+                      const std::string& kind) {
+  const Widget widget = *find(kind, target);
   const double from = widget.knob;
   const double to = widget.at_zero + value * (widget.at_one - widget.at_zero);
   move_to(from, widget.box.middle_y());
