@@ -30,7 +30,8 @@ MinimapState state_with(const std::string& heuristic, std::uint64_t seed = 1) {
 }
 
 ControlInput point(const Vector2d& at, std::int64_t t_us = 0, double dragged = 0) {
-  return {.kind = "point", .target = "map", .value = dragged, .x = at.x(), .y = at.y(), .t_us = t_us};
+  return {
+      .kind = "point", .target = "map", .value = dragged, .x = at.x(), .y = at.y(), .t_us = t_us};
 }
 
 TEST(MinimapState, ADotIsExactlyThatExample) {

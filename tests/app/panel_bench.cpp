@@ -21,6 +21,11 @@ std::vector<int> sorted_order(const std::vector<std::string>& names) {
   return order;
 }
 
+std::vector<std::string> words_of(std::vector<std::string> words, const study::Texts& texts) {
+  for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  return words;
+}
+
 study::Parameters with(const study::Parameters& changed, study::Parameters parameters) {
   for (const auto& [name, value] : changed) parameters.at(name) = value;
   return parameters;
@@ -67,18 +72,18 @@ study::PreparedModel prepared_model(const study::InterfaceType& type,
 }
 
 PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space,
-                       const study::Parameters& changed)
+                       const study::Parameters& changed, const PanelView& view)
     : space_(space),
       type_(*interfaces().find(interface)),
-      texts_(study::load_texts("en")),
+      texts_(study::load_texts(view.language)),
       parameters_(with(changed, standard_parameters(type_))),
       prepared_(prepared_model(type_, space, parameters_)),
       names_(cycle_names(space.set, texts_)),
       by_name_(sorted_order(names_)),
       content_{space_, texts_, names_, by_name_, nullptr},
-      gui_(make_palette(false), names_),
+      gui_(make_palette(false), words_of(names_, texts_)),
       state_(type_.start({space_, parameters_, study::start_weights(space_), 1, prepared_.model})) {
-  gui_.fit(1280, 720);
+  gui_.fit(view.width, view.height);
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
@@ -144,10 +149,10 @@ void PanelBench::click(const std::string& kind, const std::string& target) {
   move_to(widget->box.middle_x(), widget->box.middle_y());
   press();
   release();
+  frame();  // with what it led to
 }
 
-void PanelBench::drag(const std::string& target, double value, int steps,
-                      const std::string& kind) {
+void PanelBench::drag(const std::string& target, double value, int steps, const std::string& kind) {
   const Widget widget = *find(kind, target);
   const double from = widget.knob;
   const double to = widget.at_zero + value * (widget.at_one - widget.at_zero);

@@ -17,12 +17,18 @@ namespace promenade::app::bench {
 const motion::MotionSpace& space();
 const motion::MotionSpace& long_space(int count);
 
+// How a panel is looked at.
+struct PanelView {
+  std::string language = "en";
+  int width = 1280, height = 720;
+};
+
 class PanelBench {
  public:
   // `changed`: parameters that are not as standard.
   explicit PanelBench(const std::string& interface,
                       const motion::MotionSpace& space = bench::space(),
-                      const study::Parameters& changed = {});
+                      const study::Parameters& changed = {}, const PanelView& view = {});
 
   // Draws once; what the panel reported is applied, as the session would.
   void frame();

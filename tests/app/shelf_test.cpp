@@ -111,18 +111,18 @@ TEST(Shelf, NamesHaveFortyCharactersNotBytes) {
 TEST(Shelf, RefusesWhatCannotBe) {
   Shelf shelf = empty_shelf();
   apply(shelf, {.kind = "mix", .target = "sad"});
-  for (const ControlInput& input : std::vector<ControlInput>{
-           {.kind = "goto", .target = "1"},
-           {.kind = "remove", .target = "0"},
-           {.kind = "rename", .target = "9", .text = "x"},
-           {.kind = "mix", .target = "sad"},
-           {.kind = "mix", .target = "#1"},
-           {.kind = "unmix", .target = "old"},
-           {.kind = "share", .target = "sad", .value = 1.01},
-           {.kind = "share", .target = "sad", .value = NAN},
-           {.kind = "bookmark", .target = "nobody"},
-           {.kind = "offer", .target = "nobody"},
-           {.kind = "sing", .target = "sad"}}) {
+  for (const ControlInput& input :
+       std::vector<ControlInput>{{.kind = "goto", .target = "1"},
+                                 {.kind = "remove", .target = "0"},
+                                 {.kind = "rename", .target = "9", .text = "x"},
+                                 {.kind = "mix", .target = "sad"},
+                                 {.kind = "mix", .target = "#1"},
+                                 {.kind = "unmix", .target = "old"},
+                                 {.kind = "share", .target = "sad", .value = 1.01},
+                                 {.kind = "share", .target = "sad", .value = NAN},
+                                 {.kind = "bookmark", .target = "nobody"},
+                                 {.kind = "offer", .target = "nobody"},
+                                 {.kind = "sing", .target = "sad"}}) {
     EXPECT_EQ(apply(shelf, input), Applied::refused) << input.kind << " " << input.target;
   }
 }

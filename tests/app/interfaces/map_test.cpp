@@ -28,6 +28,8 @@ void click(PanelBench& panel, const Vector2d& at) {
   panel.press();
   panel.release();
 }
+// The pointer stands on whole pixels, and a pixel has a diagonal.
+double pixel(PanelBench& panel) { return 1.5 / plane(panel).unit_x; }
 // Of the whole map's half side: no dot of set A is near.
 Vector2d free_place(PanelBench& panel) { return state_of(panel).model().half * Vector2d(0.3, 0.4); }
 
@@ -48,8 +50,7 @@ TEST(Map, AnywhereElseThePointGoesWhereThePointerIs) {
   click(panel, wanted);
   ASSERT_EQ(panel.log().size(), 1U);
   EXPECT_EQ(panel.log()[0].kind, "point");
-  // A pixel is 1/200 of the half side; positions are floats of some hundreds.
-  EXPECT_LT((state_of(panel).point() - wanted).norm(), 1e-4 * state_of(panel).model().half);
+  EXPECT_LT((state_of(panel).point() - wanted).norm(), pixel(panel));
 }
 
 TEST(Map, DraggingScrubsFromADotAndOverDots) {
@@ -62,7 +63,7 @@ TEST(Map, DraggingScrubsFromADotAndOverDots) {
   panel.release();
   EXPECT_EQ(panel.log().front().kind, "go");
   EXPECT_EQ(panel.log().back().kind, "point");
-  EXPECT_LT((state_of(panel).point() - to).norm(), 1e-4 * state_of(panel).model().half);
+  EXPECT_LT((state_of(panel).point() - to).norm(), pixel(panel));
 }
 
 TEST(Map, APressThatTremblesIsNoDrag) {
@@ -96,8 +97,8 @@ TEST(Map, ArrowKeysMoveThePointWhenThePlaneHasTheFocus) {
 
 TEST(Map, EnterGoesToTheNearestDotAndThenOffersTheRest) {
   PanelBench panel("map");
-  const Vector2d sad = state_of(panel).map().examples.col(
-      motion::find_cycle(bench::space().set, "sad"));
+  const Vector2d sad =
+      state_of(panel).map().examples.col(motion::find_cycle(bench::space().set, "sad"));
   click(panel, 1.05 * sad);
   panel.key(GLFW_KEY_ENTER);
   EXPECT_EQ(panel.weights(), example("sad"));
@@ -147,7 +148,7 @@ TEST(Map, BookmarksAreKeptGoneToAndRemoved) {
   panel.click("bookmark", "");
   panel.click("go", "sad");
   panel.click("goto", "1");
-  EXPECT_LT((state_of(panel).point() - free_place(panel)).norm(), 1e-3);
+  EXPECT_LT((state_of(panel).point() - free_place(panel)).norm(), pixel(panel));
   panel.click("goto", "1");
   EXPECT_EQ(panel.log().back().kind, "offer");
   panel.click("remove", "1");
@@ -199,13 +200,14 @@ TEST(Map, TheSwitchChangesTheHeuristicInSight) {
   EXPECT_GE(plane(panel).box.y, panel.find("heuristic", "zero")->box.bottom());
 }
 
+int vertices_with(const study::Parameters& changed) {
+  return PanelBench("map", bench::space(), changed).vertices();
+}
+
 TEST(Map, DrawsNamesAndClustersWhenAskedTo) {
-  PanelBench quiet("map");
-  const int vertices = quiet.vertices();
-  PanelBench named("map", bench::space(), {{"names", std::string("always")}});
-  EXPECT_GT(named.vertices(), vertices + 100);
-  PanelBench marked("map", bench::long_space(55), {{"clusters", true}});
-  EXPECT_GT(marked.vertices(), vertices + 100);
+  const int vertices = vertices_with({});
+  EXPECT_GT(vertices_with({{"names", std::string("always")}}), vertices + 100);
+  EXPECT_GT(vertices_with({{"clusters", true}}), vertices + 100);
 }
 
 }  // namespace
