@@ -64,7 +64,8 @@ Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& act
   }
   if (const auto* control = std::get_if<study::Control>(&action)) {
     const study::ControlInput& input = control->input;
-    return {input.kind, input.target, input.kind == "slide", input.value};
+    const bool slides = input.kind == "slide" || input.kind == "weight";
+    return {input.kind, input.target, slides, input.value};
   }
   return {};
 }

@@ -90,6 +90,11 @@ PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, c
 std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
                              const Box& box, double value, double start);
 
+// Where a bar from 0 to 1 that fills `box` is pressed or dragged; the arrow keys move it
+// as a slider. Draws nothing.
+std::optional<double> drag_bar(const Ui& ui, std::string_view kind, std::string_view target,
+                               const Box& box, double value);
+
 // Enters something else that can be touched into the map; is the keyboard on it?
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
 
