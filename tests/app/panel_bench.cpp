@@ -21,6 +21,11 @@ std::vector<int> sorted_order(const std::vector<std::string>& names) {
   return order;
 }
 
+study::Parameters with_own(study::Parameters parameters, const study::Parameters& own) {
+  for (const auto& [name, value] : own) parameters.at(name) = value;
+  return parameters;
+}
+
 }  // namespace
 
 const motion::MotionSpace& space() {
@@ -61,11 +66,12 @@ study::PreparedModel prepared_model(const study::InterfaceType& type,
   return type.prepare({space, adjectives}, parameters);
 }
 
-PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space)
+PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space,
+                       const study::Parameters& own)
     : space_(space),
       type_(*interfaces().find(interface)),
       texts_(study::load_texts("en")),
-      parameters_(standard_parameters(type_)),
+      parameters_(with_own(standard_parameters(type_), own)),
       prepared_(prepared_model(type_, space, parameters_)),
       names_(cycle_names(space.set, texts_)),
       by_name_(sorted_order(names_)),
@@ -135,8 +141,8 @@ void PanelBench::click(const std::string& kind, const std::string& target) {
   release();
 }
 
-void PanelBench::drag(const std::string& target, double value, int steps) {
-  const Widget widget = *find("slide", target);
+void PanelBench::drag(const std::string& target, double value, int steps, const std::string& kind) {
+  const Widget widget = *find(kind, target);
   const double from = widget.knob;
   const double to = widget.at_zero + value * (widget.at_one - widget.at_zero);
   move_to(from, widget.box.middle_y());

@@ -19,8 +19,10 @@ const motion::MotionSpace& long_space(int count);
 
 class PanelBench {
  public:
+  // `own`: parameters that are not the standard ones.
   explicit PanelBench(const std::string& interface,
-                      const motion::MotionSpace& space = bench::space());
+                      const motion::MotionSpace& space = bench::space(),
+                      const study::Parameters& own = {});
 
   // Draws once; what the panel reported is applied, as the session would.
   void frame();
@@ -30,7 +32,8 @@ class PanelBench {
   void release();
   void click(const std::string& kind, const std::string& target);
   // Takes the knob of a slider to a value, through `steps` places on the way.
-  void drag(const std::string& target, double value, int steps = 5);
+  void drag(const std::string& target, double value, int steps = 5,
+            const std::string& kind = "slide");
   void key(int glfw_key);
   void wheel(double notches);
 
