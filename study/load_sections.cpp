@@ -1,7 +1,7 @@
 // [study], [display], [[rating]] and the texts of a study's own.
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {

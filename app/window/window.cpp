@@ -29,7 +29,8 @@ GLFWwindow* open(const WindowOptions& options) {
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   GLFWwindow* window = nullptr;
   if (options.windowed || mode == nullptr) {
-    window = glfwCreateWindow(1280, 720, options.title.c_str(), nullptr, nullptr);
+    window =
+        glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
   } else {
     window = glfwCreateWindow(mode->width, mode->height, options.title.c_str(), monitor, nullptr);
   }

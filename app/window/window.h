@@ -17,7 +17,8 @@ void require_display();
 
 struct WindowOptions {
   std::string title = "Promenade";
-  bool windowed = false;  // 1280 x 720 instead of the whole screen
+  bool windowed = false;           // instead of the whole screen
+  int width = 1280, height = 720;  // of a windowed one
 };
 
 class Window {
