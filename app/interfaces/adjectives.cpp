@@ -25,13 +25,6 @@ void name_poles(const std::string& pair, SliderParameter& parameter) {
   parameter.high = adjective(pair.substr(dash == std::string::npos ? 0 : dash + 1));
 }
 
-double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  const Eigen::VectorXd x = a.array() - a.mean();
-  const Eigen::VectorXd y = b.array() - b.mean();
-  const double scale = x.norm() * y.norm();
-  return scale > 0 ? x.dot(y) / scale : -1;
-}
-
 // The pair whose words stand at the ends of its cluster's slider: the one that runs most
 // like the cluster's mean, of equals the first.
 const std::string& representative(const AdjectiveModel& model, Eigen::Index cluster) {

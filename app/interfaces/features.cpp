@@ -15,6 +15,9 @@ namespace {
 
 using motion::MotionSet;
 
+// Correlation with the features that its name promises from which a slider may have it.
+constexpr double least_promise = 0.5;
+
 // What the ends of a slider are called; keys below interface.features.
 struct Poles {
   const char *low, *high;
@@ -49,29 +52,36 @@ constexpr unsigned limbs = Pictogram::left_upper_arm | Pictogram::right_upper_ar
                            Pictogram::left_forearm | Pictogram::right_forearm |
                            Pictogram::left_thigh | Pictogram::right_thigh;
 
-// A cluster of the source: its key, its ends and its picture.
+constexpr unsigned upper_body = Pictogram::torso | Pictogram::head;
+constexpr unsigned feet = Pictogram::left_foot | Pictogram::right_foot;
+
+// A cluster of the source: its key, the features that its name promises, its ends and its
+// picture.
 struct Cluster {
   const char *name, *key;
+  std::array<const char*, 2> promised;
   Poles poles;
   Pictogram pictogram;
 };
-constexpr unsigned upper_body = Pictogram::torso | Pictogram::head;
-constexpr unsigned feet = Pictogram::left_foot | Pictogram::right_foot;
 constexpr std::array<Cluster, 4> clusters = {{
     {"lateral swing of the upper body",
      "cluster.lateral-swing",
+     {"sigma_torso_left-right", "sigma_head_left-right"},
      {"less", "more"},
      {upper_body, Pictogram::View::back, Pictogram::Arrow::across}},
     {"front-back swing of the arms and legs",
      "cluster.front-back-swing",
+     {"sigma_left-forearm_front-back", "sigma_left-thigh_front-back"},
      {"less", "more"},
      {limbs, Pictogram::View::side, Pictogram::Arrow::across}},
     {"bending angle of the upper body",
      "cluster.bending",
-     {"less", "more"},
+     {"mu_torso_front-back", "mu_head_front-back"},
+     {"backward", "forward"},
      {upper_body, Pictogram::View::side, Pictogram::Arrow::across}},
     {"step length",
      "cluster.step-length",
+     {"v_step-length_front-back", "v_step-length_front-back"},
      {"short", "long"},
      {feet, Pictogram::View::side, Pictogram::Arrow::across}},
 }};
@@ -106,39 +116,72 @@ SliderParameter parameter_of(int feature, double lowest, double highest) {
   return parameter;
 }
 
-// A cluster like none of the source is shown by its first feature, without a unit.
-SliderParameter parameter_of_cluster(const motion::FeatureSliders& sliders, std::size_t c) {
+// The 51 features of a set and their clusters.
+struct Measured {
+  Eigen::MatrixXd features;  // 51 x N
+  motion::FeatureSliders sliders;
+};
+
+double runs_like(const Measured& of, Eigen::Index c, int feature) {
+  return correlation(of.sliders.parameters.row(c), of.features.row(feature));
+}
+
+// How well a slider does what the name of its cluster promises, -1 to 1.
+double keeps_promise(const Measured& of, Eigen::Index c, const Cluster& printed) {
+  double sum = 0;
+  for (const char* name : printed.promised) sum += runs_like(of, c, motion::find_feature(name));
+  return sum / static_cast<double>(printed.promised.size());
+}
+
+// The feature that runs most like its cluster's mean, of equals the first.
+int representative(const Measured& of, Eigen::Index c) {
+  int best = -1;
+  for (int k = 0; k < motion::feature_count; ++k) {
+    if (of.sliders.cluster[static_cast<std::size_t>(k)] != c) continue;
+    if (best < 0 || runs_like(of, c, k) > runs_like(of, c, best)) best = k;
+  }
+  return best;
+}
+
+// Clusters are named by what they share with those of the source, which on another set
+// may be something else than the name says: "step length" without the step length. Such
+// a slider is called after its most typical feature, and one that runs against its name
+// is turned around (ours).
+void add_cluster(const Measured& of, Eigen::Index c, SliderCatalogue& catalogue) {
+  const std::string& name = of.sliders.names[static_cast<std::size_t>(c)];
+  const Cluster* printed = find_cluster(name);
+  const double kept = printed != nullptr ? keeps_promise(of, c, *printed) : 0;
   SliderParameter parameter;
-  if (const Cluster* printed = find_cluster(sliders.names[c])) {
-    parameter.title = {printed->key, printed->name};
-    parameter.low = pole(printed->poles.low);
-    parameter.high = pole(printed->poles.high);
-    parameter.pictogram = printed->pictogram;
+  if (std::abs(kept) >= least_promise) {
+    parameter = {.name = name,
+                 .title = {printed->key, printed->name},
+                 .low = pole(printed->poles.low),
+                 .high = pole(printed->poles.high),
+                 .pictogram = printed->pictogram};
   } else {
-    const auto first =
-        std::find(sliders.cluster.begin(), sliders.cluster.end(), static_cast<int>(c));
-    parameter = parameter_of(static_cast<int>(first - sliders.cluster.begin()), 0, 1);
+    parameter = parameter_of(representative(of, c), 0, 1);
+    parameter.name = "cluster:" + parameter.name;
     parameter.unit.clear();
   }
-  parameter.name = sliders.names[c];
-  return parameter;
+  const auto values = of.sliders.parameters.row(c).array();
+  const bool against = kept <= -least_promise;
+  catalogue.values.row(c) = against ? Eigen::ArrayXXd(1 - values) : Eigen::ArrayXXd(values);
+  catalogue.parameters.push_back(std::move(parameter));
 }
 
 std::shared_ptr<SliderCatalogue> make_catalogue(const MotionSet& set) {
   auto catalogue = std::make_shared<SliderCatalogue>();
-  const motion::FeatureSliders sliders = motion::feature_sliders(set);
-  const Eigen::MatrixXd features = motion::motion_features(set);
+  const Measured of{motion::motion_features(set), motion::feature_sliders(set)};
+  const Eigen::Index primary = of.sliders.parameters.rows();
   catalogue->pictograms = true;
-  catalogue->primary = static_cast<int>(sliders.names.size());
-  for (std::size_t c = 0; c < sliders.names.size(); ++c) {
-    catalogue->parameters.push_back(parameter_of_cluster(sliders, c));
-  }
+  catalogue->primary = static_cast<int>(primary);
+  catalogue->values.resize(primary + motion::feature_count, set.size());
+  for (Eigen::Index c = 0; c < primary; ++c) add_cluster(of, c, *catalogue);
   for (int k = 0; k < motion::feature_count; ++k) {
     catalogue->parameters.push_back(
-        parameter_of(k, features.row(k).minCoeff(), features.row(k).maxCoeff()));
+        parameter_of(k, of.features.row(k).minCoeff(), of.features.row(k).maxCoeff()));
   }
-  catalogue->values.resize(sliders.parameters.rows() + features.rows(), set.size());
-  catalogue->values << sliders.parameters, motion::scaled_to_range(features);
+  catalogue->values.bottomRows(motion::feature_count) = motion::scaled_to_range(of.features);
   catalogue->sections = {{"sliders.primary", 0}, {"interface.features.single", catalogue->primary}};
   return catalogue;
 }

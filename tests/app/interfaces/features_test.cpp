@@ -2,9 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
-
 #include "app/parameter_sliders_view.h"
+#include "motion/builtin.h"
 #include "tests/app/panel_bench.h"
 
 namespace promenade::app {
@@ -37,6 +36,26 @@ TEST(Features, ValuesAreThoseOfTheMotionInItsUnit) {
   }
 }
 
+// A slider called "step length" makes longer steps on its way to the right, and so on.
+TEST(Features, ASliderDoesWhatItsNameSays) {
+  for (const char* set : {"A", "B"}) {
+    const motion::MotionSpace space = motion::make_motion_space(*motion::builtin_set(set));
+    const Eigen::MatrixXd features = motion::motion_features(space.set);
+    PanelBench panel("features", space);
+    for (int c = 0; c < 4; ++c) {
+      const std::string& name = catalogue(panel).parameters[static_cast<std::size_t>(c)].name;
+      const bool own = name.rfind("cluster:", 0) == 0;
+      const std::string feature = own                             ? name.substr(8)
+                                  : name == "step length"         ? "v_step-length_front-back"
+                                  : name.rfind("bending", 0) == 0 ? "mu_torso_front-back"
+                                  : name.rfind("lateral", 0) == 0 ? "sigma_torso_left-right"
+                                                                  : "sigma_left-forearm_front-back";
+      const Eigen::VectorXd wanted = features.row(motion::find_feature(feature));
+      EXPECT_GT(correlation(catalogue(panel).values.row(c), wanted), 0.5) << set << name;
+    }
+  }
+}
+
 SliderParameter from_to(const char* unit, double lowest, double highest) {
   SliderParameter parameter;
   parameter.unit = unit;
@@ -54,10 +73,12 @@ TEST(Features, ValuesAreWrittenWithTheirUnit) {
   EXPECT_EQ(value_text(from_to("deg", -0.4, 20), 0).view(), "0°");  // no "-0°"
 }
 
-TEST(Features, EachHasAPictogramAndOnlyOneLooksLikeIt) {
-  std::set<std::string> pictures;
+TEST(Features, EachHasAPictogramOfItsPartAndDirection) {
   for (const std::string_view name : motion::feature_names()) {
-    EXPECT_NE(feature_pictogram(name).parts, 0U) << name;
+    const Pictogram pictogram = feature_pictogram(name);
+    EXPECT_NE(pictogram.parts, 0U) << name;
+    const bool across = name.find("left-right") != std::string_view::npos;
+    EXPECT_EQ(pictogram.view == Pictogram::View::back, across) << name;
   }
   EXPECT_EQ(feature_pictogram("sigma_left-forearm_front-back").parts, Pictogram::left_forearm);
   EXPECT_EQ(feature_pictogram("mu_head_left-right").view, Pictogram::View::back);
