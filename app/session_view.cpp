@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "study/adjective_model.h"
+
 namespace promenade::app {
 namespace {
 
@@ -43,6 +45,10 @@ std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::
 std::vector<std::string> shown_words(const study::StudyBundle& bundle, const study::Texts& texts) {
   std::vector<std::string> words = cycle_names(bundle.space.set, texts);
   for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  if (bundle.adjectives) {
+    const std::vector<std::string>& pairs = bundle.adjectives->table.pairs;
+    words.insert(words.end(), pairs.begin(), pairs.end());
+  }
   const study::Study& study = bundle.study;
   add_local(study.title, words);
   add_local(study.consent, words);

@@ -101,6 +101,11 @@ bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, 
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
            bool stop = true);
 
+// Where a bar from 0 to 1 that fills `box` is pressed or dragged; the arrow keys move it
+// as a slider. Draws nothing.
+std::optional<double> drag_bar(const Ui& ui, std::string_view kind, std::string_view target,
+                               const Box& box, double value);
+
 // The part of the window that is drawn to now.
 Box visible_box();
 

@@ -25,6 +25,7 @@ motion::DistancePoints points_of(const motion::PoseBank& bank, const VectorXd& w
 }
 
 std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
+  if (bundle.adjectives) return *bundle.adjectives;
   const auto builtin = motion::builtin_name(bundle.study.set);
   return builtin ? builtin_adjective_model(*builtin) : std::nullopt;
 }

@@ -116,7 +116,8 @@ std::vector<Film> all_films() {
   for (const study::InterfaceUse& use : films.front().bundle.study.interfaces) {
     films.push_back(one_trial("paper-" + use.name,
                               {.display = "colours = \"paper\"", .interfaces = {use.name}}));
-    films.push_back(one_trial("long-" + use.name, {.interfaces = {use.name}, .long_names = true}));
+    const Scene longer{.interfaces = {use.name}, .long_names = true};
+    if (can_have(longer, use.name)) films.push_back(one_trial("long-" + use.name, longer));
   }
   return films;
 }
