@@ -96,6 +96,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   Study& study = bundle.study;
   read_study_section(root, study);
   read_display(root, study);
+  read_breaks(root, study);
   std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));

@@ -47,6 +47,11 @@ const std::string& Texts::operator()(std::string_view key) const {
   return texts_.emplace(key, key).first->second;
 }
 
+bool Texts::has(std::string_view key) const {
+  const auto found = texts_.find(key);
+  return found != texts_.end() && found->second != key;
+}
+
 std::string Texts::with(std::string_view key,
                         const std::vector<std::pair<std::string, std::string>>& values) const {
   std::string text = (*this)(key);
