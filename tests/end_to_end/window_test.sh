@@ -109,13 +109,15 @@ a_real_mouse_works_the_first_pages() {
   running=$!
   xdotool search --sync --onlyvisible --name demo >/dev/null
   sleep 1
+  click 640 280  # English
   click 460 385  # the field for the code
   xdotool type --delay 60 P07
   click 860 664  # Start
   wait_for 20 "$db" "SELECT code FROM participant" P07
   click 860 664  # I agree
   wait_for 20 "$db" "SELECT count(*) FROM event WHERE kind = 'page' AND target = 'instructions'" 1
-  expect "presses" 3 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
+  expect "language" "en" "$(ask "$db" "SELECT language FROM session")"
+  expect "presses" 4 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
     AND actor = 'participant' AND uncertainty_us >= 0 AND x > 0")"
   local status=0
   kill -TERM "$running"

@@ -12,6 +12,7 @@ namespace promenade::app::screenshots {
 struct Scene {
   std::string set = "builtin:A";
   std::string display;                  // lines of [display]
+  std::string breaks;                   // lines of [breaks]
   std::string match;                    // further lines of the task "match"
   std::vector<std::string> interfaces;  // empty: all that the set can have
   bool long_names = false;              // of the styles
