@@ -52,9 +52,6 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   return std::nullopt;
 }
 
-constexpr const char* damaged =
-    "is damaged (cut off or overwritten); use a copy of it, or recover it with sqlite3's .recover";
-
 Database open(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
@@ -64,10 +61,10 @@ Database open(const std::string& file) {
   Database database(file, Database::Mode::read_only);
   study::check_database(database);
   Statement check(database, "PRAGMA quick_check(1)");
-  if (!check.step() || check.text(0) != "ok") throw InputError(file, damaged);
+  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
   for (const char* table : {"session", "trial", "answer"}) {
     Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
-    if (lost.step()) throw InputError(file, damaged);
+    if (lost.step()) throw InputError(file, study::damaged_database);
   }
   return database;
 }
@@ -191,7 +188,7 @@ Log read_log(const std::vector<std::string>& files) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     } catch (const study::DatabaseError& error) {
       if (!is_about_content(error)) throw;
-      problems.push_back({file, 0, 0, damaged, Severity::error});
+      problems.push_back({file, 0, 0, study::damaged_database, Severity::error});
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));

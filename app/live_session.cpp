@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "study/identity.h"
+
 namespace promenade::app {
 
 using study::Record;

@@ -10,6 +10,7 @@
 #include "app/window/clock.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
+#include "study/identity.h"
 
 namespace promenade::app {
 namespace {

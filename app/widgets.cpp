@@ -152,6 +152,14 @@ bool small_button(const Ui& ui, std::string_view kind, std::string_view target, 
   return now.clicked;
 }
 
+bool tile(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+  const Touch now = touch(ui, kind, target, box);
+  const Palette& palette = ui.look.palette;
+  const float thickness = ui.layout.size(now.hovered ? 2 : 1);
+  frame(box, now.hovered ? palette.created : palette.line, thickness);
+  return now.clicked;
+}
+
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked) {
   const Palette& palette = ui.look.palette;

@@ -55,6 +55,9 @@ bool button(const Ui& ui, std::string_view target, const Box& box, std::string_v
 bool small_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
                   std::string_view label);
 
+// A frame around something that is drawn elsewhere; true: pressed and released on it.
+bool tile(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
+
 // A row of a list; true: pressed. `marked` in the colour of the created figure.
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked);

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "motion/builtin.h"
 #include "motion/files.h"
 #include "motion/set_file.h"
 #include "study/adjective_model.h"
-#include "study/did_you_mean.h"
 #include "study/embedded.h"
-#include "study/store.h"
+#include "study/identity.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -44,12 +44,17 @@ std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::stri
   }
 }
 
+// Or leaves it to the default; not where the line that did was left out.
+bool names_its_set(const TomlTable& root) {
+  const auto section = root.table("study");
+  return root.reader().whole() || (section && section->has("set"));
+}
+
 // Made once, and only when an interface asks.
 std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
-  constexpr std::string_view prefix = "builtin:";
-  const std::string& set = bundle.study.set;
-  if (bundle.adjectives || set.rfind(prefix, 0) != 0) return bundle.adjectives;
-  if (auto model = builtin_adjective_model(set.substr(prefix.size()))) {
+  const auto builtin = motion::builtin_name(bundle.study.set);
+  if (bundle.adjectives || !builtin) return bundle.adjectives;
+  if (auto model = builtin_adjective_model(*builtin)) {
     bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
   }
   return bundle.adjectives;
@@ -90,14 +95,15 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
                        const SetLoader& load_set) {
   TomlReader reader(file, text);
-  if (!reader.ok()) reader.finish();
+  if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
   StudyBundle bundle;
   Study& study = bundle.study;
   read_study_section(root, study);
   read_display(root, study);
   read_breaks(root, study);
-  std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
+  std::optional<motion::MotionSet> set;
+  if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);

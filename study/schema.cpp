@@ -1,6 +1,10 @@
 #include "study/schema.h"
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "study/sqlite.h"
 
@@ -162,6 +166,30 @@ std::int64_t pragma(Database& database, const char* name) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+std::uint64_t number_in(std::string_view bytes) {  // big-endian
+  std::uint64_t number = 0;
+  for (const char byte : bytes) number = number << 8U | static_cast<unsigned char>(byte);
+  return number;
+}
+
+// A file of SQLite that is shorter than its first bytes say (https://sqlite.org/fileformat.html).
+bool is_cut(const std::string& file) {
+  constexpr std::string_view magic = "SQLite format 3";
+  std::string head(100, '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.compare(0, magic.size(), magic) != 0) return false;
+  const std::string_view bytes = head;
+  const std::uint64_t page = number_in(bytes.substr(16, 2));  // 1: 65536
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error || size < 512 || size < (page == 1 ? 65536 : page) * number_in(bytes.substr(28, 4));
+}
+
+[[noreturn]] void refuse_stranger(const std::string& file, const char* reason) {
+  throw InputError(file, is_cut(file) ? damaged_database : reason);
+}
+
 }  // namespace
 
 void create_tables(Database& database) {
@@ -181,11 +209,11 @@ void check_database(Database& database) {
     id = pragma(database, "application_id");
     version = pragma(database, "user_version");
   } catch (const DatabaseError&) {
-    throw InputError(database.file(), "is not a database; name the .db file of a study");
+    refuse_stranger(database.file(), "is not a database; name the .db file of a study");
   }
   if (id != application_id) {
-    throw InputError(database.file(),
-                     "is not a database of Promenade; name the .db file of a study");
+    refuse_stranger(database.file(),
+                    "is not a database of Promenade; name the .db file of a study");
   }
   if (version > schema_version) {
     throw InputError(database.file(), "was made by a newer Promenade (its tables are version " +

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <thread>
 
+#include "study/identity.h"
+
 namespace promenade::study {
 namespace {
 

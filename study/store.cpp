@@ -8,6 +8,7 @@
 #include <set>
 
 #include "motion/bytes.h"
+#include "study/identity.h"
 #include "study/store_open.h"
 
 namespace promenade::study {

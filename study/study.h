@@ -9,6 +9,7 @@
 
 #include "motion/distance.h"
 #include "motion/motion_space.h"
+#include "motion/place.h"
 #include "motion/pose_blender.h"
 #include "motion/problem.h"
 #include "study/interface.h"
@@ -29,6 +30,7 @@ struct Target {
   std::string name;                        // as in the results
   std::optional<Eigen::VectorXd> weights;  // N; nothing in tasks without a target motion
   LocalText quality;                       // the asked word in each language (find)
+  Place place = {};                        // in the study's file
 };
 
 enum class TaskKind { match, find };

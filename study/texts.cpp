@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/embedded.h"
 #include "study/toml_parse.h"
 

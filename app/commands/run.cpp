@@ -8,7 +8,7 @@
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/session_window.h"
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 
 namespace promenade::app {
 namespace {
@@ -27,9 +27,9 @@ std::string choose_language(const Options& options, const study::Study& study) {
   if (std::find(offered.begin(), offered.end(), options.language) != offered.end()) {
     return options.language;
   }
-  throw InputError("--language " + options.language,
-                   "this study is offered in " + study::quoted_list(offered) +
-                       study::did_you_mean(options.language, offered));
+  throw InputError(
+      "--language " + options.language,
+      "this study is offered in " + quoted_list(offered) + did_you_mean(options.language, offered));
 }
 
 // Empty: the welcome page asks.

@@ -12,6 +12,7 @@
 #include <future>
 
 #include "play.h"
+#include "study/identity.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
 #include "toy.h"
