@@ -26,7 +26,7 @@ Box Layout::box(float x, float y, float width, float height) const {
 }
 
 StagePlan Layout::instructions_plan() const {
-  return {box(16, 476, 816, 228), size(150), top + size(652), top + size(668), {}, {}};
+  return {box(104, 464, 640, 240), size(164), top + size(650), top + size(668), {}, {}};
 }
 
 StagePlan Layout::stage_plan(bool with_wall) const {

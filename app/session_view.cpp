@@ -99,6 +99,10 @@ void SessionView::speak(const std::string& language) {
   by_name_ = order_by_name(names_);
 }
 
+bool SessionView::covered() const {
+  return live_.session().paused() || live_.failure().has_value();
+}
+
 bool SessionView::has_panel() const {
   const PageKind kind = live_.session().page().kind;
   return kind == PageKind::trial || kind == PageKind::instructions;
@@ -123,12 +127,12 @@ const study::PlannedTrial& SessionView::planned() const {
 }
 
 void SessionView::advance(std::int64_t now_us) {
-  if (live_.session().paused()) return stage_.rest(now_us);
+  if (covered()) return stage_.rest(now_us);
   stage_.advance(now_us, cast());
 }
 
 void SessionView::draw_figures(FigureRenderer& renderer) {
-  if (live_.session().paused()) return;
+  if (covered()) return;
   const Layout& layout = gui_.layout();
   const Palette& palette = gui_.look().palette;
   stage_.draw(renderer, layout, stage_plan(), palette);

@@ -50,6 +50,7 @@ class SessionView {
   const Focus& focus() const { return focus_; }
 
  private:
+  bool covered() const;  // by a page without figures
   bool has_panel() const;
   Cast cast() const;
   StagePlan stage_plan() const;

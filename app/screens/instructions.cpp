@@ -87,7 +87,7 @@ void draw_instructions(const Screen& screen) {
   const Ui& ui = screen.ui;
   draw_text(ui.look.fonts.heading, ui.layout.box(32, 20, 784, 56), ui.look.palette.text,
             screen.texts("instructions.title"));
-  draw_just_ended(screen, ui.layout.box(848, 20, 300, 36));
+  draw_just_ended(screen, ui.layout.box(400, 24, 720, 36));
   draw_words(screen);
   draw_stage(screen);
   draw_picture(screen);

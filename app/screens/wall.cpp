@@ -61,7 +61,8 @@ void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Co
     const std::string& name = content.names[static_cast<std::size_t>(cycle)];
     const bool over = tile.holds(mouse.x, mouse.y);
     if (!named && !over) continue;
-    const float room = named ? tile.width : text_width(ui.look.fonts.text, name);
+    const float room =
+        named ? tile.width - ui.layout.size(8) : text_width(ui.look.fonts.text, name);
     const float x = std::clamp(tile.middle_x() - 0.5f * room, box.x, box.right() - room);
     const Box label{x, tile.bottom() - caption, room, caption};
     if (!named) fill(label, ui.look.palette.background);

@@ -105,7 +105,8 @@ void to_declined(Studio& studio) {
 
 void to_matched(Studio& studio) {
   to_trial(studio);
-  studio.take(study::Control{{.kind = "pick", .target = "normal"}});
+  const study::Target& target = study::target_of(studio.bundle().study, studio.planned());
+  studio.take(study::Control{{.kind = "pick", .target = target.name}});
   studio.pass(2);
 }
 

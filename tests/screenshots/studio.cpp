@@ -32,8 +32,9 @@ Studio::Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& 
       live_(study::Session(bundle, interfaces(), study::make_plan(bundle.study, 0),
                            options.language.empty()),
             store_, header_of(options), now_us_),
-      view_((gui_.fit(room.window.width(), room.window.height()), bundle), interfaces(), gui_,
-            live_, room.queue, options) {
+      view_(
+          (gui_.fit(room.window.width(), room.window.height(), bundle.study.display.scale), bundle),
+          interfaces(), gui_, live_, room.queue, options) {
   gui_renderer_ = std::make_unique<GuiRenderer>();
   gui_renderer_->upload_fonts();
   // A pointer that rests on nothing.

@@ -178,7 +178,8 @@ TEST(ChoiceOfLanguage, ComesFirstAndIsLogged) {
   Session session(bundle, toy::registry(), make_plan(bundle.study, 0), true);
   EXPECT_EQ(session.page().kind, PageKind::language);
   EXPECT_FALSE(session.can_continue());
-  Input input{.t_us = 5};
+  Input input;
+  input.t_us = 5;
   input.action = ChooseLanguage{"xx"};
   session.step(input);
   EXPECT_EQ(session.page().kind, PageKind::language) << "a language that is not offered";
