@@ -31,9 +31,9 @@ StagePlan Layout::instructions_plan() const {
 
 StagePlan Layout::stage_plan(bool with_wall) const {
   const auto y = [this](float at) { return top + size(at); };
-  if (!with_wall) return {stage(), size(400), y(540), y(624), box(16, 664, 816, 40), {}};
+  if (!with_wall) return {stage(), size(400), y(540), y(624), box(16, 656, 816, 32), {}};
   return {box(16, 64, 816, 404), size(270), y(384), y(428), box(16, 472, 816, 36),
-          box(16, 512, 816, 192)};
+          box(16, 512, 816, 176)};
 }
 
 }  // namespace promenade::app

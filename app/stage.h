@@ -51,6 +51,8 @@ class Stage {
   double phase() const { return phase_; }
   void scrub(double phase) { phase_ = phase; }
   bool shows(Role role) const { return figure(role).present; }
+  // Is there only its place?
+  bool hides(Role role) const { return figure(role).present && figure(role).hidden; }
   // Under the feet of a figure, where its plate goes: pixels.
   Eigen::Vector2f plate(const StagePlan& plan, Role role) const;
 

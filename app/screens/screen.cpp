@@ -63,7 +63,7 @@ void draw_marks(const Screen& screen) {
   if (!screen.pilot && !screen.simulated) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   if (screen.pilot) frame({0, 0, size.x, size.y}, ui.look.palette.pilot, ui.layout.size(6));
-  const Box box = ui.layout.box(16, 6, 640, 16);
+  const Box box = ui.layout.box(24, 690, 640, 20);
   draw_text(ui.look.fonts.text, box, ui.look.palette.quiet,
             screen.texts(screen.pilot ? "session.pilot" : "session.simulated"));
 }

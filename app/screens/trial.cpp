@@ -44,7 +44,7 @@ void draw_countdown(const Screen& screen, double left_s, double limit_s) {
 
 void draw_strip(const Screen& screen, const study::TrialState& trial) {
   const Ui& ui = screen.ui;
-  draw_text(ui.look.fonts.text, ui.layout.box(16, 22, 240, 24), ui.look.palette.quiet,
+  draw_text(ui.look.fonts.text, ui.layout.box(16, 0, 240, 56), ui.look.palette.quiet,
             number_of(screen));
   const std::string title = ask(screen, "trial");
   const Box middle = ui.layout.box(200, 0, 880, 56);

@@ -96,6 +96,22 @@ TEST(SessionView, TimesNeverGoBackAndFramesComeBeforeTheirEvents) {
   EXPECT_EQ(count(bench, "event WHERE frame_us > t_us"), 0);
 }
 
+TEST(SessionView, AMouseEventChangesTheWeightsInItsOwnFrame) {
+  SessionBench bench("en", 0);
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+  bench.frame();
+  const std::string style = bench.session().trial()->target ? "sad" : "old";
+  const Widget* row = bench.view().widgets().find("pick", style);
+  if (row == nullptr) GTEST_SKIP() << "this order begins with another interface";
+  bench.queue().push(
+      {.kind = UiEvent::Kind::move, .x = row->box.middle_x(), .y = row->box.middle_y()});
+  bench.frame();
+  const Eigen::VectorXd before = bench.session().trial()->weights;
+  bench.queue().push({.kind = UiEvent::Kind::button, .code = 0, .down = true});
+  bench.frame();
+  EXPECT_NE(bench.session().trial()->weights, before);
+}
+
 // What is outside the panel, as rectangles in the order drawn.
 std::vector<std::array<float, 4>> outside(SessionBench& bench) {
   std::vector<std::array<float, 4>> boxes;
