@@ -65,6 +65,7 @@ float line_height(ImFont* font) { return std::round(font->FontSize * 1.08f); }
 }  // namespace
 
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+  if (ui.inert) return false;
   Widget widget;
   return enter(ui, kind, target, widget, box);
 }

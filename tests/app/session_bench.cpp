@@ -48,6 +48,11 @@ SessionBench::~SessionBench() {
   for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file_.string() + end);
 }
 
+void SessionBench::walk() {
+  view_.advance(now_us_);
+  frame();
+}
+
 void SessionBench::frame() {
   now_us_ += 16'667;
   view_.frame(now_us_);

@@ -19,6 +19,7 @@ class SessionBench {
   ~SessionBench();
 
   void frame();  // 1/60 s
+  void walk();   // the same, and the figures walk on
   // Lets the autopilot work until the session is over or `done` says so. False: it
   // took more than `minutes`.
   bool play(

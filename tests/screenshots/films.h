@@ -23,7 +23,7 @@ struct Reel {
 
 struct Film {
   study::StudyBundle bundle;
-  std::string name;  // of its one picture; empty: every page of the session
+  std::string name = "";  // of its one picture; empty: every page of the session
   // Plays until that picture can be taken; else not used.
   std::function<void(Studio&)> play = {};
   bool pilot = false;
