@@ -5,9 +5,10 @@
 
 namespace promenade::app {
 
-Layout make_layout(int width, int height) {
+Layout make_layout(int width, int height, double share) {
   Layout layout;
   layout.scale = std::min(static_cast<float>(width) / 1280, static_cast<float>(height) / 720);
+  layout.scale *= static_cast<float>(share);
   // Below half size nothing can be read; the picture is cut instead.
   layout.scale = std::max(layout.scale, 0.5f);
   layout.left =
@@ -22,6 +23,10 @@ Box Layout::box(float x, float y, float width, float height) const {
   const float right = size(x + width);
   const float bottom = size(y + height);
   return {left + size(x), top + size(y), right - size(x), bottom - size(y)};
+}
+
+StagePlan Layout::instructions_plan() const {
+  return {box(104, 464, 640, 240), size(164), top + size(650), top + size(668), {}, {}};
 }
 
 StagePlan Layout::stage_plan(bool with_wall) const {

@@ -66,6 +66,7 @@ float line_height(ImFont* font) { return std::round(font->FontSize * 1.08f); }
 
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
            bool stop) {
+  if (ui.inert) return false;
   Widget widget;
   widget.stop = stop;
   return enter(ui, kind, target, widget, box);
