@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "study/adjective_model.h"
+
 namespace promenade::app {
 namespace {
 
@@ -51,6 +53,10 @@ std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::
 
 std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   std::vector<std::string> words;
+  if (bundle.adjectives) {
+    const std::vector<std::string>& pairs = bundle.adjectives->table.pairs;
+    words.insert(words.end(), pairs.begin(), pairs.end());
+  }
   const study::Study& study = bundle.study;
   for (const std::string& language : study.languages) {
     const study::Texts texts = study::load_texts(language);

@@ -123,6 +123,7 @@ void read_study_section(const TomlTable& root, Study& study) {
   if (root.has("study")) study.name = read_name(table);
   study.version = table.text("version").value_or(study.version);
   study.set = table.text("set").value_or(study.set);
+  study.ratings_file = table.text("ratings").value_or("");
   if (table.has("languages")) study.languages = read_language_list(table);
   study.seed = static_cast<std::uint64_t>(
       table.integer("seed", 0, largest_seed).value_or(static_cast<std::int64_t>(study.seed)));

@@ -60,6 +60,14 @@ std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
   return bundle.adjectives;
 }
 
+// What nobody may take for people's opinion.
+void warn_of_simulated_raters(const TomlTable& root, const StudyBundle& bundle) {
+  if (!bundle.adjectives || !bundle.adjectives->simulated()) return;
+  const TomlTable section = root.table("study").value_or(root);
+  section.warning(section.has("ratings") ? "ratings" : "set",
+                  "the adjectives come from simulated raters (" + bundle.adjectives->source + ")");
+}
+
 void put(std::string& bytes, std::string_view part) {
   bytes += std::to_string(part.size());
   bytes += ':';
@@ -76,6 +84,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   std::string bytes;
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
+  if (!bundle.ratings_sha256.empty()) put(bytes, bundle.ratings_sha256);
   for (const std::string& language : bundle.study.languages) {
     const Texts texts = load_texts(language);
     for (const std::string& key : texts.keys()) {
@@ -107,9 +116,15 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);
+    read_ratings_file(root, bundle);
   }
-  const InterfaceResources resources{bundle.space, [&bundle] { return adjectives_of(bundle); }};
+  bool asked = false;
+  const InterfaceResources resources{bundle.space, [&bundle, &asked] {
+                                       asked = true;
+                                       return adjectives_of(bundle);
+                                     }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
+  if (asked) warn_of_simulated_raters(root, bundle);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
   study.ratings = read_ratings(root, study);
   bundle.warnings = reader.finish();

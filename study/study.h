@@ -80,6 +80,7 @@ enum class Order { williams, latin, random, fixed };
 struct Study {
   std::string name, version = "1";
   std::string set = "builtin:A";
+  std::string ratings_file;  // of the motions on pairs of adjectives; empty: none is named
   std::vector<std::string> languages = {"en"};
   std::uint64_t seed = 1;
   Order order = Order::williams;
@@ -101,6 +102,7 @@ struct StudyBundle {
   motion::PoseBank bank;  // of this space: what is shown comes from it
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
+  std::string ratings_sha256;  // of the file of ratings; empty: none is named
   std::string set_bytes, set_sha256;
   std::vector<Problem> warnings;
 };

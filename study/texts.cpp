@@ -47,9 +47,9 @@ const std::string& Texts::operator()(std::string_view key) const {
   return texts_.emplace(key, key).first->second;
 }
 
-bool Texts::has(std::string_view key) const {
+const std::string* Texts::find(std::string_view key) const {
   const auto found = texts_.find(key);
-  return found != texts_.end() && found->second != key;
+  return found != texts_.end() && found->second != key ? &found->second : nullptr;
 }
 
 std::string Texts::with(std::string_view key,

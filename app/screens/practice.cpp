@@ -26,7 +26,7 @@ void draw_practice_hint(const Screen& screen, const study::TrialState& trial) {
   const study::InterfaceUse& use =
       screen.bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
   const std::string key = "interface." + use.type + ".practice";
-  if (!screen.texts.has(key)) return;
+  if (screen.texts.find(key) == nullptr) return;
   const std::size_t done = trial.history.undo.size();
   const std::size_t step = done == 0 ? 0 : done < 4 ? 1 : 2;
   const Box& stage = screen.stage_plan.figures;

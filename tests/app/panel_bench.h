@@ -17,10 +17,18 @@ namespace promenade::app::bench {
 const motion::MotionSpace& space();
 const motion::MotionSpace& long_space(int count);
 
+// How a panel is looked at.
+struct PanelView {
+  std::string language = "en";
+  int width = 1280, height = 720;
+};
+
 class PanelBench {
  public:
+  // `changed`: parameters that are not as standard.
   explicit PanelBench(const std::string& interface,
-                      const motion::MotionSpace& space = bench::space());
+                      const motion::MotionSpace& space = bench::space(),
+                      const study::Parameters& changed = {}, const PanelView& view = {});
 
   // Draws once; what the panel reported is applied, as the session would.
   void frame();
@@ -30,8 +38,10 @@ class PanelBench {
   void release();
   void click(const std::string& kind, const std::string& target);
   // Takes the knob of a slider to a value, through `steps` places on the way.
-  void drag(const std::string& target, double value, int steps = 5);
+  void drag(const std::string& target, double value, int steps = 5,
+            const std::string& kind = "slide");
   void key(int glfw_key);
+  void type(const std::string& ascii);
   void wheel(double notches);
 
   const Widget* find(const std::string& kind, const std::string& target) const {

@@ -171,8 +171,8 @@ std::vector<Film> all_films() {
   for (const study::InterfaceUse& use : uses) {
     films.push_back(one_picture("paper-" + use.name,
                                 {.display = "colours = \"paper\"", .interfaces = {use.name}}));
-    films.push_back(
-        one_picture("long-" + use.name, {.interfaces = {use.name}, .long_names = true}));
+    const Scene longer{.interfaces = {use.name}, .long_names = true};
+    if (can_have(longer, use.name)) films.push_back(one_picture("long-" + use.name, longer));
   }
   return films;
 }

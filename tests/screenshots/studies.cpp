@@ -73,9 +73,11 @@ study::StudyBundle study_with(const Scene& scene, const motion::MotionSet& set,
                            [&](const std::string&, const std::string&) { return set; });
 }
 
-bool can_have(const Scene& scene, const motion::MotionSet& set, const std::string& interface) {
+}  // namespace
+
+bool can_have(const Scene& scene, const std::string& interface) {
   try {
-    study_with(scene, set, {interface});
+    study_with(scene, set_of(scene, "."), {interface});
     return true;
   } catch (const InputError& error) {
     const std::string& why = error.problems().front().message;
@@ -85,14 +87,12 @@ bool can_have(const Scene& scene, const motion::MotionSet& set, const std::strin
   }
 }
 
-}  // namespace
-
 study::StudyBundle make_study(const Scene& scene) {
   const motion::MotionSet set = set_of(scene, ".");
   std::vector<std::string> names = scene.interfaces;
   if (names.empty()) {
     for (const study::InterfaceType& type : interfaces().all()) {
-      if (can_have(scene, set, type.name)) names.push_back(type.name);
+      if (can_have(scene, type.name)) names.push_back(type.name);
     }
   }
   return study_with(scene, set, names);

@@ -18,6 +18,9 @@ struct Scene {
   bool long_names = false;                   // of the styles
 };
 
+// Can this interface be used with the set of the scene? If not, a line on stderr says why.
+bool can_have(const Scene& scene, const std::string& interface);
+
 // An interface that the set cannot have is left out; a line on stderr says so.
 study::StudyBundle make_study(const Scene& scene);
 
