@@ -208,7 +208,7 @@ void draw_name(const MinimapState& state, const Chart& chart, InterfacePanel& pa
   const ShortLine name = name_of(state.shelf(), item, panel);
   const Vector2f size = tag_size(panel, name.text());
   const Box box = NameTags(chart.box).place_anyway(at, panel.size(15), size);
-  fill(box, panel.look().palette.panel);
+  fill(box, panel.look().palette.on_colour);
   draw_tag(panel, box, name.text());
 }
 
