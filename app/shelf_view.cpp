@@ -22,10 +22,13 @@ void draw_bookmark(const Shelf& shelf, InterfacePanel& panel, const Box& chip,
                    const Bookmark& bookmark) {
   const Palette& palette = panel.look().palette;
   const Item item{.bookmark = bookmark.number};
-  if (shelf.current() == item) frame(chip, palette.current, panel.size(2));
-  const float inset = panel.size(3);
-  fill({chip.x + inset, chip.y + inset, chip.width - 2 * inset, chip.height - 2 * inset},
-       palette.bookmark);
+  const auto within = [&](float inset_720) -> Box {
+    const float inset = panel.size(inset_720);
+    return {chip.x + inset, chip.y + inset, chip.width - 2 * inset, chip.height - 2 * inset};
+  };
+  if (shelf.current() == item) fill(chip, palette.current);
+  if (shelf.current() == item) fill(within(2), palette.on_colour);
+  fill(within(shelf.current() == item ? 3 : 1), palette.bookmark);
   draw_text(panel.look().fonts.bold, chip, palette.on_colour, digit_of(bookmark), Align::centre);
   if (pressed_area(panel.ui(), "goto", digit_of(bookmark), chip)) {
     report_press(shelf, item, "", panel);

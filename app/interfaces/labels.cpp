@@ -196,8 +196,8 @@ bool keys_are_elsewhere(const Labels& labels, const Focus& focus) {
 }
 
 void draw_heading(InterfacePanel& panel, const Box& box, std::string_view text) {
-  const float inset = panel.size(8);
-  panel.line(panel.look().fonts.text, {box.x + inset, box.y, box.width - 2 * inset, box.height},
+  const float inset = panel.size(4);
+  panel.line(panel.look().fonts.bold, {box.x + inset, box.y, box.width - 2 * inset, box.height},
              panel.look().palette.quiet, text);
   fill({box.x, box.bottom() - panel.size(1), box.width, panel.size(1)}, panel.look().palette.line);
 }

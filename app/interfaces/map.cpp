@@ -1,6 +1,7 @@
 // The minimap ([N] 5.4): the examples are dots of a plane, and every point of it is a walk.
 // app/minimap.h holds the state; here it is drawn and reports what is done to it.
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <numbers>
 
@@ -174,8 +175,12 @@ void draw_tag(InterfacePanel& panel, const Box& box, std::string_view name) {
              panel.look().palette.text, name);
 }
 
-void draw_all_names(const MinimapState& state, const Chart& chart, InterfacePanel& panel) {
+using Named = std::bitset<512>;  // of the examples
+
+// Names where there is room for them; whose name is to be read then?
+Named draw_all_names(const MinimapState& state, const Chart& chart, InterfacePanel& panel) {
   NameTags tags(chart.box);
+  Named named;
   const auto square = [&](const Vector2f& at, float size) -> Box {
     return {at.x() - 0.5f * size, at.y() - 0.5f * size, size, size};
   };
@@ -192,8 +197,11 @@ void draw_all_names(const MinimapState& state, const Chart& chart, InterfacePane
     const Vector2f at = chart.pixel(examples.col(i));
     if (!chart.holds(at)) continue;
     const auto box = tags.place(at, panel.size(0.5f * dot_720 + 1), tag_size(panel, name));
-    if (box) draw_tag(panel, *box, name);
+    if (!box) continue;
+    draw_tag(panel, *box, name);
+    if (i < static_cast<int>(named.size())) named.set(static_cast<std::size_t>(i));
   }
+  return named;
 }
 
 // The name of one item, on top of everything.
@@ -208,7 +216,7 @@ void draw_name(const MinimapState& state, const Chart& chart, InterfacePanel& pa
   const ShortLine name = name_of(state.shelf(), item, panel);
   const Vector2f size = tag_size(panel, name.text());
   const Box box = NameTags(chart.box).place_anyway(at, panel.size(15), size);
-  fill(box, panel.look().palette.panel);
+  fill(box, panel.look().palette.on_colour);
   draw_tag(panel, box, name.text());
 }
 
@@ -347,11 +355,16 @@ void draw_plane(const MinimapState& state, InterfacePanel& panel, const Box& box
   draw_known(state, chart, panel.look().palette);
   if (state.shows_clusters()) draw_clusters(state, chart, panel);
   draw_dots(state, chart, panel, hovered);
-  if (state.names_always()) draw_all_names(state, chart, panel);
+  const Named named = state.names_always() ? draw_all_names(state, chart, panel) : Named();
+  const auto name_once = [&](const Item& item) {
+    const auto example = static_cast<std::size_t>(std::max(0, item.example));
+    const bool is_named = item.example >= 0 && example < named.size() && named[example];
+    if (!is_named) draw_name(state, chart, panel, item);
+  };
   draw_current(state, chart, panel);
   draw_marks(state, chart, panel, hovered);
-  draw_name(state, chart, panel, state.shelf().current());
-  draw_name(state, chart, panel, hovered);
+  name_once({.example = state.shelf().current().example});
+  name_once(hovered);
   draw_note(state, chart, panel);
   frame(box, panel.look().palette.line, panel.size(1));
   draw_whole_button(state, chart, panel);
