@@ -54,7 +54,11 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
 }
 
 Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& action) const {
+  if (const auto* choice = std::get_if<study::ChooseLanguage>(&action)) {
+    return {"press", "language:" + choice->language};
+  }
   if (std::holds_alternative<study::Continue>(action)) return {"press", "continue"};
+  if (std::holds_alternative<study::Resume>(action)) return {"press", "resume"};
   if (std::holds_alternative<study::Decline>(action)) return {"press", "decline"};
   if (std::holds_alternative<study::Done>(action)) return {"press", "done"};
   if (std::holds_alternative<study::StartOver>(action)) return {"press", "start_over"};
@@ -64,8 +68,7 @@ Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& act
   }
   if (const auto* control = std::get_if<study::Control>(&action)) {
     const study::ControlInput& input = control->input;
-    const bool slides = input.kind == "slide" || input.kind == "weight";
-    return {input.kind, input.target, slides, input.value};
+    return {input.kind, input.target, input.value, input.x, input.y};
   }
   return {};
 }
@@ -107,6 +110,13 @@ bool Autopilot::moved(InputQueue& queue) {
   return !moving_;
 }
 
+Autopilot::Point Autopilot::aim_at(const Widget& widget, const Errand& errand) {
+  if (widget.plane && std::isfinite(errand.x) && std::isfinite(errand.y)) {
+    return {widget.zero_x + widget.unit_x * errand.x, widget.zero_y - widget.unit_y * errand.y};
+  }
+  return {widget.slides ? widget.knob : widget.box.middle_x(), widget.box.middle_y()};
+}
+
 void Autopilot::reach(const WidgetMap& widgets, InputQueue& queue) {
   if (moving_ && !moved(queue)) return;
   if (now_us_ < due_us_) return;
@@ -122,7 +132,7 @@ void Autopilot::reach(const WidgetMap& widgets, InputQueue& queue) {
     push(queue, {.kind = UiEvent::Kind::wheel, .y = notch});
     return enter(Stage::reaching, 0.06);
   }
-  const Point aim{widget->slides ? widget->knob : widget->box.middle_x(), widget->box.middle_y()};
+  const Point aim = aim_at(*widget, errand_);
   if (std::hypot(at_.x - aim.x, at_.y - aim.y) > 1) return start_moving(aim);
   enter(Stage::pressing, 0.06);
 }
@@ -132,7 +142,7 @@ void Autopilot::press(const WidgetMap& widgets, InputQueue& queue) {
   push(queue, {.kind = UiEvent::Kind::button, .code = 0, .down = true});
   holding_ = true;
   const Widget* widget = widgets.find(errand_.kind, errand_.target);
-  if (errand_.slides && widget != nullptr) {
+  if (widget != nullptr && widget->slides && std::isfinite(errand_.value)) {
     const double span = widget->at_one - widget->at_zero;
     start_moving({widget->at_zero + errand_.value * span, at_.y});
     return enter(Stage::dragging, 0);

@@ -29,12 +29,13 @@ class Autopilot {
   enum class Stage { thinking, reaching, pressing, dragging, letting_go, typing };
   struct Errand {  // the widget to go to and what to do there
     std::string kind, target;
-    bool slides = false;
-    double value = 0;
+    double value = study::no_value;                   // where a slider is taken to
+    double x = study::no_value, y = study::no_value;  // where a plane is pressed
   };
 
   void think(const study::Session& session);
   Errand errand_of(const decltype(study::Input::action)& action) const;
+  static Point aim_at(const Widget& widget, const Errand& errand);
   void start_moving(Point to);
   bool moved(InputQueue& queue);  // true: there
   void reach(const WidgetMap& widgets, InputQueue& queue);

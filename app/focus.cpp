@@ -17,10 +17,12 @@ void Focus::begin(const WidgetMap& before) {
   const std::size_t count = before.size();
   if (count == 0 || !key_pressed(ImGuiKey_Tab)) return;
   const bool back = ImGui::GetIO().KeyShift;
+  const std::size_t step = back ? count - 1 : 1;
   std::size_t next = back ? count - 1 : 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (on(before[i].kind, before[i].target)) next = (i + (back ? count - 1 : 1)) % count;
+    if (on(before[i].kind, before[i].target)) next = (i + step) % count;
   }
+  for (std::size_t i = 0; i < count && !before[next].stop; ++i) next = (next + step) % count;
   take(before[next].kind, before[next].target);
   ring_ = arrived_ = true;
   // A text field that was written in lets the keyboard go.

@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <Eigen/Dense>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct Palette {
   Rgb bookmark = rgb(0x1F7A5C);
   Rgb current = rgb(0x2B5FB0);
   Rgb known = rgb(0xE6ECF5);  // the region that the examples cover
+  std::array<Rgb, 3> clusters = {rgb(0xC9A66B), rgb(0x7FA38A), rgb(0xA98BB5)};  // of the examples
   Rgb pilot = rgb(0xE07B1A);
   Rgb on_colour = rgb(0xFFFFFF);  // text on `created`
 };

@@ -22,6 +22,7 @@ struct Widget {
   // Planes: the pixel of (0, 0), and how many pixels 1 is to the right and up.
   float zero_x = 0, zero_y = 0, unit_x = 0, unit_y = 0;
   bool plane = false;
+  bool stop = true;  // the Tab key stops here
 
   bool visible() const {
     return view.holds(box.middle_x(), box.y + 1) && view.holds(box.middle_x(), box.bottom() - 1);
@@ -48,6 +49,7 @@ class WidgetMap {
     slot.unit_x = widget.unit_x;
     slot.unit_y = widget.unit_y;
     slot.plane = widget.plane;
+    slot.stop = widget.stop;
   }
   const Widget* find(std::string_view kind, std::string_view target) const {
     for (std::size_t i = 0; i < used_; ++i) {

@@ -64,9 +64,16 @@ float line_height(ImFont* font) { return std::round(font->FontSize * 1.08f); }
 
 }  // namespace
 
-bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+           bool stop) {
+  if (ui.inert) return false;
   Widget widget;
+  widget.stop = stop;
   return enter(ui, kind, target, widget, box);
+}
+
+bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+  return touch(ui, kind, target, box).pressed;
 }
 
 Box visible_box() {
@@ -170,8 +177,8 @@ bool list_row(const Ui& ui, std::string_view kind, std::string_view target, cons
     fill(box, palette.hover);
   }
   const float inset = ui.layout.size(16);
-  draw_text(marked ? ui.look.fonts.bold : ui.look.fonts.text,
-            {box.x + inset, box.y, box.width - inset, box.height},
+  draw_line(marked ? ui.look.fonts.bold : ui.look.fonts.text,
+            {box.x + inset, box.y, box.width - 2 * inset, box.height},
             marked ? palette.on_colour : palette.text, label);
   return now.pressed;
 }

@@ -93,13 +93,18 @@ PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, c
 std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
                              const Box& box, double value, double start);
 
+// Something drawn elsewhere that reacts to a press; true: pressed, on the way down.
+bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
+
+// Enters something else that can be touched into the map; is the keyboard on it? The Tab
+// key passes by what does not `stop` it.
+bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+           bool stop = true);
+
 // Where a bar from 0 to 1 that fills `box` is pressed or dragged; the arrow keys move it
 // as a slider. Draws nothing.
 std::optional<double> drag_bar(const Ui& ui, std::string_view kind, std::string_view target,
                                const Box& box, double value);
-
-// Enters something else that can be touched into the map; is the keyboard on it?
-bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
 
 // The part of the window that is drawn to now.
 Box visible_box();

@@ -54,7 +54,7 @@ class Scanner {
   bool full() const { return errors_ >= 20; }  // enough has been said
   bool failed() const { return errors_ > 0; }
   [[noreturn]] void give_up();  // throws InputError with all problems, by their places
-  [[noreturn]] void refuse(std::string message) {  // the same, with this one at the end
+  [[noreturn]] void refuse(std::string message) {  // the same, with this one, too
     error(std::move(message));
     give_up();
   }

@@ -1,5 +1,6 @@
-// [study], [display], [[rating]] and the texts of a study's own.
+// [study], [display], [breaks], [[rating]] and the texts of a study's own.
 #include <algorithm>
+#include <cmath>
 
 #include "motion/did_you_mean.h"
 #include "study/study_parts.h"
@@ -143,6 +144,14 @@ void read_display(const TomlTable& root, Study& study) {
   const auto examples = table->choice("examples", {"none", "panel", "screen"});
   if (examples == "panel") display.examples = ExamplesWall::panel;
   if (examples == "screen") display.examples = ExamplesWall::screen;
+}
+
+void read_breaks(const TomlTable& root, Study& study) {
+  const auto table = root.table("breaks");
+  if (!table) return;
+  study.breaks.after_block = table->choice("after", {"none", "block"}) == "block";
+  const double least_s = table->number("least_s", 0, 3600).value_or(0);
+  study.breaks.least_us = static_cast<std::int64_t>(std::llround(1e6 * least_s));
 }
 
 std::vector<Rating> read_ratings(const TomlTable& root, const Study& study) {

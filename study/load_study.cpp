@@ -110,6 +110,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   Study& study = bundle.study;
   read_study_section(root, study);
   read_display(root, study);
+  read_breaks(root, study);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "motion/builtin.h"
+#include "study/map_options.h"
 #include "study/rng.h"
 
 namespace promenade::study {
@@ -45,6 +46,14 @@ void add_adjectives(const motion::MotionSet& set, ReachModels& models) {
   models.maps.push_back(motion::slider_controls("adjectives", model->names, primary));
 }
 
+// Those of the first map of the study; the standards when it has none.
+motion::MapOptions options_of_map(const Study& study) {
+  for (const InterfaceUse& use : study.interfaces) {
+    if (use.type == "map") return map_options(use.parameters);
+  }
+  return {};
+}
+
 void add_features(const motion::MotionSet& set, ReachModels& models) {
   if (set.size() < 2) return models.missing.push_back({"features", "the set has one cycle"});
   const motion::FeatureSliders sliders = motion::feature_sliders(set);
@@ -58,7 +67,7 @@ ReachModels completed(const StudyBundle& bundle, ReachModels models) {
   add_adjectives(set, models);
   add_features(set, models);
   models.maps.push_back(motion::label_controls(set));
-  if (auto map = motion::map_controls(bundle.space)) {
+  if (auto map = motion::map_controls(bundle.space, options_of_map(bundle.study))) {
     models.maps.push_back(std::move(*map));
   } else {
     models.missing.push_back({"map", "all cycles of the set are alike"});
@@ -102,6 +111,7 @@ Reach reach(const ReachModels& models, const motion::ControlMap& map, const Targ
     const auto example = points_of(models.bank, VectorXd::Unit(models.bank.size(), i), times);
     result.best_example = std::min(result.best_example, motion::distance(wanted, example).mean_m);
   }
+  if (map.shows_examples) result.best = std::min(result.best, result.best_example);
   return result;
 }
 

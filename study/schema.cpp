@@ -39,7 +39,8 @@ CREATE TABLE trial(
   threshold_m REAL, started_us INTEGER NOT NULL, ended_us INTEGER,
   outcome TEXT CHECK (outcome IN ('success','timeout','done','skipped','aborted')),
   d_first REAL, d_best REAL, d_final REAL, d_sum REAL, seconds_difference REAL,
-  first_below_us INTEGER, clicks INTEGER, changes INTEGER, late_frames INTEGER
+  first_below_us INTEGER, paused_us INTEGER, clicks INTEGER, changes INTEGER,
+  late_frames INTEGER
 ) STRICT;
 CREATE TABLE event(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
@@ -121,6 +122,8 @@ constexpr auto meanings = std::to_array<Meaning>({
      "duration of the created cycle minus the target's at the end"},
     {"trial", "first_below_us", "us",
      "first time D was below the threshold, since the session began"},
+    {"trial", "paused_us", "us",
+     "how long the trial stood still in pauses; part of ended_us - started_us, not of limit_s"},
     {"trial", "clicks", "", "presses of a mouse button during the trial"},
     {"trial", "changes", "", "changes of the controls by the participant"},
     {"trial", "late_frames", "", "frames shown more than half a frame late"},

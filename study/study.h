@@ -69,6 +69,12 @@ struct Display {
   ExamplesWall examples = ExamplesWall::none;
 };
 
+// [breaks]: a page of rest between two blocks.
+struct Breaks {
+  bool after_block = false;
+  std::int64_t least_us = 0;  // nobody goes on before
+};
+
 enum class Order { williams, latin, random, fixed };
 
 struct Study {
@@ -79,6 +85,7 @@ struct Study {
   std::uint64_t seed = 1;
   Order order = Order::williams;
   Display display;
+  Breaks breaks;
   std::vector<InterfaceUse> interfaces;
   std::vector<Task> tasks;
   std::vector<Rating> ratings;

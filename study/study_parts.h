@@ -28,6 +28,7 @@ LocalText read_languages(const TomlTable& table, const std::string& name, const 
 
 void read_study_section(const TomlTable& root, Study& study);
 void read_display(const TomlTable& root, Study& study);
+void read_breaks(const TomlTable& root, Study& study);
 // `resources` is null when the motion set could not be read.
 std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry,
                                           const InterfaceResources* resources);

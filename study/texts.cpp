@@ -49,7 +49,7 @@ const std::string& Texts::operator()(std::string_view key) const {
 
 const std::string* Texts::find(std::string_view key) const {
   const auto found = texts_.find(key);
-  return found != texts_.end() ? &found->second : nullptr;
+  return found != texts_.end() && found->second != key ? &found->second : nullptr;
 }
 
 std::string Texts::with(std::string_view key,

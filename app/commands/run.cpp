@@ -20,9 +20,10 @@ struct Options {
   std::optional<std::uint64_t> autopilot;
 };
 
+// Empty: the first page asks.
 std::string choose_language(const Options& options, const study::Study& study) {
-  if (options.language.empty()) return study.languages.front();
   const std::vector<std::string>& offered = study.languages;
+  if (options.language.empty()) return offered.size() == 1 ? offered.front() : "";
   if (std::find(offered.begin(), offered.end(), options.language) != offered.end()) {
     return options.language;
   }
@@ -83,7 +84,7 @@ void add_run_command(CLI::App& program) {
                           "the participant's code; without it the first page asks");
   command->add_flag("--pilot", options->pilot, "a trial run that does not count");
   command->add_option("--station", options->station, "the name of this place");
-  command->add_option("--language", options->language, "en or ja (default: the study's first)");
+  command->add_option("--language", options->language, "en or ja; without it the first page asks");
   command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
   command
       ->add_option("--autopilot", options->autopilot,

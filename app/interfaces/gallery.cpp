@@ -18,7 +18,7 @@ using study::InterfacePanel;
 using study::InterfaceState;
 
 constexpr int around = 8;
-constexpr double first_step = 0.5, least_step = 1.0 / 64;
+constexpr double first_step = 0.5, least_step = 1.0 / 16;
 
 // The examples in an order in which any first few are as different as can be: each is
 // the one farthest from the average and from those before it.
@@ -153,8 +153,9 @@ void draw(const InterfaceState& state, InterfacePanel& panel) {
     panel.press("step", "smaller", {steps.x, steps.y, third, row},
                 panel.text("interface.gallery.smaller"));
   }
-  // How large a step is: a bar over six halvings.
-  const double share = 1 + std::log2(gallery.step()) / std::log2(1 / least_step);
+  // How large a step is: one notch for each halving.
+  const double notches = std::log2(1 / least_step);
+  const double share = (1 + notches + std::log2(gallery.step())) / (1 + notches);
   const Box bar{steps.x + third, steps.middle_y() - panel.size(4), third, panel.size(8)};
   fill(bar, palette.track);
   fill({bar.x, bar.y, std::round(bar.width * static_cast<float>(share)), bar.height},

@@ -73,6 +73,12 @@ void draw_plate(const Screen& screen, Role role) {
   // Black on the light green, white on the dark blue: both can be read.
   draw_text(ui.look.fonts.bold, plate, role == Role::target ? palette.text : palette.on_colour,
             text, Align::centre);
+  if (!screen.stage.hides(role)) return;
+  // Where the figure would stand.
+  const float width_of_hint = ui.layout.size(380);
+  const Box hint{std::round(at.x() - 0.5f * width_of_hint), screen.stage_plan.foot_y - plate.height,
+                 width_of_hint, 2 * plate.height};
+  draw_text(ui.look.fonts.text, hint, palette.quiet, screen.texts("trial.hidden"), Align::centre);
 }
 
 }  // namespace

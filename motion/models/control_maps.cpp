@@ -45,6 +45,7 @@ std::optional<ControlMap> map_controls(const MotionSpace& space, const MapOption
   for (const auto& dot : map->examples.colwise()) result.problem.guesses.emplace_back(dot);
   // The map is linear in the weights: the target's own place is their blend.
   result.guess = [map](const VectorXd& target) -> VectorXd { return map->examples * target; };
+  result.shows_examples = true;  // a press on a dot
   return result;
 }
 

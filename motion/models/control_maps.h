@@ -26,6 +26,7 @@ struct ControlMap {
   // Guesses know where a target lies: they are those of its weights, if it has any.
   ReachProblem problem;
   std::function<Eigen::VectorXd(const Eigen::VectorXd& target)> guess;  // N weights to P
+  bool shows_examples = false;  // each can be had as it is, beside what the parameters reach
 };
 
 // Nothing for a set whose cycles are all alike.

@@ -105,6 +105,8 @@ MapState start_map(const Minimap& map) {
   return state;
 }
 
+Vector2d valid_radii(const Minimap& map) { return map.point_limit * deviations_on_map(map); }
+
 Vector2d pull_back(const Minimap& map, const Vector2d& point) {
   const Vector2d deviations = deviations_on_map(map);
   const Vector2d inside = map.examples.col(nearest_column(map.examples, point));

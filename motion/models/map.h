@@ -82,6 +82,10 @@ Eigen::VectorXd rest_at(const Minimap& map, const MapState& state, std::int64_t 
 void weights_at(const Minimap& map, const MapState& state, std::int64_t t_us,
                 Eigen::VectorXd& weights);
 
+// Half axes of the ellipse around the origin whose points are valid, in the unit of the
+// map. With the heuristic `weights` every point is.
+Eigen::Vector2d valid_radii(const Minimap& map);
+
 // The nearest valid point on the way to the nearest example; unchanged when valid.
 Eigen::Vector2d pull_back(const Minimap& map, const Eigen::Vector2d& point);
 

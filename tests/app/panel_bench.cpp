@@ -21,8 +21,13 @@ std::vector<int> sorted_order(const std::vector<std::string>& names) {
   return order;
 }
 
-study::Parameters with_own(study::Parameters parameters, const study::Parameters& own) {
-  for (const auto& [name, value] : own) parameters.at(name) = value;
+std::vector<std::string> words_of(std::vector<std::string> words, const study::Texts& texts) {
+  for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  return words;
+}
+
+study::Parameters with(const study::Parameters& changed, study::Parameters parameters) {
+  for (const auto& [name, value] : changed) parameters.at(name) = value;
   return parameters;
 }
 
@@ -67,18 +72,18 @@ study::PreparedModel prepared_model(const study::InterfaceType& type,
 }
 
 PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& space,
-                       const study::Parameters& own)
+                       const study::Parameters& changed, const PanelView& view)
     : space_(space),
       type_(*interfaces().find(interface)),
-      texts_(study::load_texts("en")),
-      parameters_(with_own(standard_parameters(type_), own)),
+      texts_(study::load_texts(view.language)),
+      parameters_(with(changed, standard_parameters(type_))),
       prepared_(prepared_model(type_, space, parameters_)),
       names_(cycle_names(space.set, texts_)),
       by_name_(sorted_order(names_)),
       content_{space_, texts_, names_, by_name_, nullptr},
-      gui_(make_palette(false), names_),
+      gui_(make_palette(false), words_of(names_, texts_)),
       state_(type_.start({space_, parameters_, study::start_weights(space_), 1, prepared_.model})) {
-  gui_.fit(1280, 720);
+  gui_.fit(view.width, view.height);
   unsigned char* pixels = nullptr;
   int width = 0;
   int height = 0;
@@ -133,12 +138,18 @@ void PanelBench::key(int glfw_key) {
   push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = false});
 }
 
+void PanelBench::type(const std::string& ascii) {
+  for (const char letter : ascii) push({.kind = UiEvent::Kind::character, .code = letter});
+  frame();
+}
+
 void PanelBench::click(const std::string& kind, const std::string& target) {
   const Widget* widget = find(kind, target);
   if (widget == nullptr) throw std::logic_error("there is no " + kind + " " + target);
   move_to(widget->box.middle_x(), widget->box.middle_y());
   press();
   release();
+  frame();  // with what it led to
 }
 
 void PanelBench::drag(const std::string& target, double value, int steps, const std::string& kind) {

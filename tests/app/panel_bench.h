@@ -17,12 +17,18 @@ namespace promenade::app::bench {
 const motion::MotionSpace& space();
 const motion::MotionSpace& long_space(int count);
 
+// How a panel is looked at.
+struct PanelView {
+  std::string language = "en";
+  int width = 1280, height = 720;
+};
+
 class PanelBench {
  public:
-  // `own`: parameters that are not the standard ones.
+  // `changed`: parameters that are not as standard.
   explicit PanelBench(const std::string& interface,
                       const motion::MotionSpace& space = bench::space(),
-                      const study::Parameters& own = {});
+                      const study::Parameters& changed = {}, const PanelView& view = {});
 
   // Draws once; what the panel reported is applied, as the session would.
   void frame();
@@ -35,6 +41,7 @@ class PanelBench {
   void drag(const std::string& target, double value, int steps = 5,
             const std::string& kind = "slide");
   void key(int glfw_key);
+  void type(const std::string& ascii);
   void wheel(double notches);
 
   const Widget* find(const std::string& kind, const std::string& target) const {

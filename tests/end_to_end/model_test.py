@@ -108,8 +108,10 @@ class Model(ProgramTest):
         again = self.document("model", "targets", study, "--predict", "builtin:A")
         self.assertTrue(found["adjectives"]["predicted"])
         self.assertTrue(found["adjectives"]["simulated"])
-        self.assertEqual(found["controls"]["adjectives"],
-                         ["quickness", "clearness", "activeness", "largeness"])
+        rated = self.document("model", "adjectives", "builtin:A")
+        self.assertEqual(found["controls"]["adjectives"], [c["name"] for c in rated["clusters"]])
+        self.assertEqual(found["adjectives"]["left_out_error"],
+                         rated["prediction"]["left_out_error"])
         self.assertEqual(found["missing"], [])
         self.assertEqual(found["tasks"], again["tasks"])
         self.assertEqual(self.call("model", "targets", study, "--predict", "a.csv").returncode, 2)

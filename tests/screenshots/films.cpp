@@ -1,5 +1,9 @@
 #include "tests/screenshots/films.h"
 
+#include <GLFW/glfw3.h>
+#include <sys/resource.h>
+
+#include <csignal>
 #include <set>
 
 #include "app/registry.h"
@@ -30,20 +34,25 @@ bool with_interface(const Studio& studio) {
   return kind == PageKind::trial || kind == PageKind::instructions;
 }
 
-void answer_all(Studio& studio, const study::StudyBundle& bundle) {
-  for (const study::Rating& rating : bundle.study.ratings) {
+void answer_all(Studio& studio) {
+  for (const study::Rating& rating : studio.bundle().study.ratings) {
     studio.take(study::SetAnswer{rating.item, 4});
   }
 }
 
-void leave_page(Studio& studio, const study::StudyBundle& bundle) {
+void leave_page(Studio& studio) {
   switch (studio.session().page().kind) {
     case PageKind::welcome:
       return studio.begin_as("P07");
     case PageKind::trial:
+      // Practice runs out of time, so that the next page says so.
+      if (studio.planned().practice) return studio.pass(46);
       return studio.take(study::Done{});
     case PageKind::rating:
-      answer_all(studio, bundle);
+      answer_all(studio);
+      return studio.take(study::Continue{});
+    case PageKind::break_:
+      studio.pass(21);
       return studio.take(study::Continue{});
     default:
       return studio.take(study::Continue{});
@@ -52,7 +61,7 @@ void leave_page(Studio& studio, const study::StudyBundle& bundle) {
 
 ViewOptions options_of(const Film& film, const std::string& language) {
   ViewOptions options;
-  options.language = language;
+  options.language = film.asks_language ? "" : language;
   options.pilot = film.pilot;
   return options;
 }
@@ -69,23 +78,53 @@ void shoot_pages(const Film& film, Studio& studio, const Reel& reel) {
       studio.pass(1);
       reel.album.add(reel.prefix, name, studio.shoot());
     }
-    leave_page(studio, film.bundle);
+    leave_page(studio);
   }
+}
+
+void to_page(Studio& studio, PageKind kind) {
+  while (studio.session().page().kind != kind) leave_page(studio);
 }
 
 // A trial that counts, in the middle of it.
-void shoot_trial(const Film& film, Studio& studio, const Reel& reel) {
-  if (!reel.wants(film.only)) return;
-  while (studio.session().trial() == nullptr || studio.planned().practice) {
-    leave_page(studio, film.bundle);
-  }
+void to_trial(Studio& studio) {
+  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
   studio.play(inputs);
   studio.pass(1);
-  reel.album.add(reel.prefix, film.only, studio.shoot());
 }
 
-Film one_trial(const std::string& name, const Scene& scene) {
-  return {.bundle = make_study(scene), .only = name};
+void to_pause(Studio& studio) {
+  to_trial(studio);
+  studio.press_key(GLFW_KEY_ESCAPE);
+}
+
+void to_declined(Studio& studio) {
+  to_page(studio, PageKind::consent);
+  studio.take(study::Decline{});
+}
+
+void to_matched(Studio& studio) {
+  to_trial(studio);
+  const study::Target& target = study::target_of(studio.bundle().study, studio.planned());
+  studio.take(study::Control{{.kind = "pick", .target = target.name}});
+  studio.pass(2);
+}
+
+// The disk is full: no file may grow any more.
+void to_error(Studio& studio) {
+  to_trial(studio);
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full{1, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  studio.play(3);
+  setrlimit(RLIMIT_FSIZE, &before);
+}
+
+Film one_picture(const std::string& name, const Scene& scene,
+                 std::function<void(Studio&)> play = to_trial) {
+  return {.bundle = make_study(scene), .name = name, .play = std::move(play)};
 }
 
 // The interfaces of the pictures that show something else; whichever there are.
@@ -96,35 +135,54 @@ std::vector<std::string> usual() {
   return {interfaces().all().front().name};
 }
 
+void add_pages(std::vector<Film>& films) {
+  films.push_back(one_picture("language", {.interfaces = usual()}, [](Studio&) {}));
+  films.back().asks_language = true;
+  films.push_back(one_picture("declined", {.interfaces = usual()}, to_declined));
+  films.push_back(one_picture("pause", {.interfaces = usual()}, to_pause));
+  films.push_back(one_picture("error", {.interfaces = usual()}, to_error));
+  films.push_back(one_picture(
+      "matched", {.match = "threshold = \"auto\"", .interfaces = {"labels"}}, to_matched));
+}
+
+void add_variants(std::vector<Film>& films) {
+  films.push_back(one_picture("blind", {.match = "blind = true", .interfaces = usual()}));
+  films.push_back(one_picture("playback", {.match = "playback = true", .interfaces = usual()}));
+  films.push_back(one_picture("pilot", {.interfaces = usual()}));
+  films.back().pilot = true;
+  films.push_back(one_picture("small", {.display = "scale = 0.7", .interfaces = usual()}));
+  for (const char* set : {"builtin:A", "builtin:N"}) {
+    films.push_back(one_picture("wall", {.set = set,
+                                         .display = "examples = \"panel\"",
+                                         .match = "playback = true",
+                                         .interfaces = usual()}));
+  }
+}
+
 }  // namespace
 
 std::vector<Film> all_films() {
   std::vector<Film> films;
-  films.push_back({.bundle = make_study({})});
+  films.push_back({.bundle = make_study({.breaks = "after = \"block\"\nleast_s = 20"})});
   films.push_back({.bundle = make_study({.set = "builtin:N"}), .interfaces_only = true});
-  films.push_back(one_trial("blind", {.match = "blind = true", .interfaces = usual()}));
-  films.push_back(one_trial("playback", {.match = "playback = true", .interfaces = usual()}));
-  films.push_back(one_trial("pilot", {.interfaces = usual()}));
-  films.back().pilot = true;
-  for (const char* set : {"builtin:A", "builtin:N"}) {
-    const Scene walls{.set = set,
-                      .display = "examples = \"panel\"",
-                      .match = "playback = true",
-                      .interfaces = usual()};
-    films.push_back(one_trial("wall", walls));
-  }
-  for (const study::InterfaceUse& use : films.front().bundle.study.interfaces) {
-    films.push_back(one_trial("paper-" + use.name,
-                              {.display = "colours = \"paper\"", .interfaces = {use.name}}));
+  const std::vector<study::InterfaceUse> uses = films.front().bundle.study.interfaces;
+  add_pages(films);
+  add_variants(films);
+  for (const study::InterfaceUse& use : uses) {
+    films.push_back(one_picture("paper-" + use.name,
+                                {.display = "colours = \"paper\"", .interfaces = {use.name}}));
     const Scene longer{.interfaces = {use.name}, .long_names = true};
-    if (can_have(longer, use.name)) films.push_back(one_trial("long-" + use.name, longer));
+    if (can_have(longer, use.name)) films.push_back(one_picture("long-" + use.name, longer));
   }
   return films;
 }
 
 void shoot_film(const Film& film, Room& room, const std::string& language, const Reel& reel) {
+  if (!film.name.empty() && !reel.wants(film.name)) return;
   Studio studio(room, film.bundle, options_of(film, language));
-  film.only.empty() ? shoot_pages(film, studio, reel) : shoot_trial(film, studio, reel);
+  if (film.name.empty()) return shoot_pages(film, studio, reel);
+  film.play(studio);
+  reel.album.add(reel.prefix, film.name, studio.shoot());
 }
 
 }  // namespace promenade::app::screenshots

@@ -2,6 +2,7 @@
 // goes.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,11 @@ struct Reel {
 
 struct Film {
   study::StudyBundle bundle;
-  // Empty: every page of the session. Else the name of the one picture that is taken,
-  // of a trial.
-  std::string only;
+  std::string name = "";  // of its one picture; empty: every page of the session
+  // Plays until that picture can be taken; else not used.
+  std::function<void(Studio&)> play = {};
   bool pilot = false;
+  bool asks_language = false;
   bool interfaces_only = false;  // not the pages that are the same with any set
 
   int styles() const { return bundle.space.set.size(); }

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 
+#include "app/examples_window.h"
 #include "app/print.h"
 #include "tests/screenshots/films.h"
 #include "tests/screenshots/studies.h"
@@ -40,6 +41,20 @@ class Scratch {
   std::filesystem::path folder_;
 };
 
+// The second window.
+void photograph_examples(const Size& size, Album& album, const std::string& part) {
+  for (const char* set : {"builtin:A", "builtin:N"}) {
+    const study::StudyBundle bundle = make_study({.set = set, .interfaces = {"labels"}});
+    const std::string prefix =
+        fmt::format("en-{}x{}-{}", size.width, size.height, bundle.space.set.size());
+    if ((prefix + "-examples").find(part) == std::string::npos) continue;
+    ExamplesWindow examples(
+        bundle, {.windowed = true, .shows_only = true, .width = size.width, .height = size.height});
+    for (int k = 0; k < 3; ++k) examples.draw(0.2, false);
+    album.add(prefix, "examples", photograph(size.width, size.height));
+  }
+}
+
 void photograph_all(Album& album, const std::string& part) {
   const Scratch scratch;
   const std::vector<Film> films = all_films();
@@ -50,6 +65,8 @@ void photograph_all(Album& album, const std::string& part) {
         queue);
     FigureRenderer renderer;
     Room room{window, renderer, queue, scratch.folder()};
+    photograph_examples(size, album, part);
+    room.window.use();
     for (const Film& film : films) {
       for (const char* language : languages) {
         const std::string prefix =

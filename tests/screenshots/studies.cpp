@@ -18,6 +18,9 @@ order = "fixed"
 [display]
 {display}
 
+[breaks]
+{breaks}
+
 {interfaces}
 [[task]]
 name = "match"
@@ -61,11 +64,11 @@ study::StudyBundle study_with(const Scene& scene, const motion::MotionSet& set,
                               const std::vector<std::string>& names) {
   std::string uses;
   for (const std::string& name : names) uses += "[[interface]]\nname = \"" + name + "\"\n\n";
-  const std::string text = fmt::format(fmt::runtime(study_text), fmt::arg("set", scene.set),
-                                       fmt::arg("display", scene.display),
-                                       fmt::arg("interfaces", uses), fmt::arg("match", scene.match),
-                                       fmt::arg("target", set.cycles[set.cycles.size() / 2].name),
-                                       fmt::arg("practice", set.cycles.back().name));
+  const std::string text = fmt::format(
+      fmt::runtime(study_text), fmt::arg("set", scene.set), fmt::arg("display", scene.display),
+      fmt::arg("breaks", scene.breaks), fmt::arg("interfaces", uses),
+      fmt::arg("match", scene.match), fmt::arg("target", set.cycles[set.cycles.size() / 2].name),
+      fmt::arg("practice", set.cycles.back().name));
   return study::read_study("pictures.toml", text, interfaces(),
                            [&](const std::string&, const std::string&) { return set; });
 }

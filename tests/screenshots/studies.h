@@ -11,10 +11,11 @@ namespace promenade::app::screenshots {
 // What a picture's study has of its own; the rest is the same for all.
 struct Scene {
   std::string set = "builtin:A";
-  std::string display;                  // lines of [display]
-  std::string match;                    // further lines of the task "match"
-  std::vector<std::string> interfaces;  // empty: all that the set can have
-  bool long_names = false;              // of the styles
+  std::string display = "";                  // lines of [display]
+  std::string breaks = "";                   // lines of [breaks]
+  std::string match = "";                    // further lines of the task "match"
+  std::vector<std::string> interfaces = {};  // empty: all that the set can have
+  bool long_names = false;                   // of the styles
 };
 
 // Can this interface be used with the set of the scene? If not, a line on stderr says why.

@@ -16,7 +16,7 @@ std::filesystem::path fresh_file(const std::filesystem::path& folder) {
 
 study::SessionHeader header_of(const ViewOptions& options) {
   study::SessionHeader header;
-  header.language = options.language;
+  header.language = options.language.empty() ? "en" : options.language;
   header.simulated = true;  // its log waits for no disk
   return header;
 }
@@ -27,13 +27,14 @@ Studio::Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& 
     : room_(room),
       bundle_(bundle),
       file_(fresh_file(room.folder)),
-      texts_(study::load_texts(options.language)),
       store_(file_, bundle),
-      gui_(make_palette(bundle.study.display.paper_colours), shown_words(bundle, texts_)),
-      live_(study::Session(bundle, interfaces(), study::make_plan(bundle.study, 0)), store_,
-            header_of(options), now_us_),
-      view_((gui_.fit(room.window.width(), room.window.height()), bundle), interfaces(), texts_,
-            gui_, live_, room.queue, options) {
+      gui_(make_palette(bundle.study.display.paper_colours), shown_words(bundle)),
+      live_(study::Session(bundle, interfaces(), study::make_plan(bundle.study, 0),
+                           options.language.empty()),
+            store_, header_of(options), now_us_),
+      view_(
+          (gui_.fit(room.window.width(), room.window.height(), bundle.study.display.scale), bundle),
+          interfaces(), gui_, live_, room.queue, options) {
   gui_renderer_ = std::make_unique<GuiRenderer>();
   gui_renderer_->upload_fonts();
   // A pointer that rests on nothing.

@@ -35,6 +35,7 @@ class Studio {
   void play(int inputs);
   Photograph shoot();
 
+  const study::StudyBundle& bundle() const { return bundle_; }
   const study::Session& session() const { return live_.session(); }
   SessionView& view() { return view_; }
   const study::PlannedTrial& planned() const;  // of the page
@@ -46,7 +47,6 @@ class Studio {
   const study::StudyBundle& bundle_;
   std::filesystem::path file_;
   std::int64_t now_us_ = 1'000'000;
-  study::Texts texts_;
   study::Store store_;
   Gui gui_;
   std::unique_ptr<GuiRenderer> gui_renderer_;

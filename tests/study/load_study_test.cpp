@@ -300,5 +300,17 @@ TEST(Sha256, AgreesWithThePublishedExample) {  // FIPS 180-2, B.1
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
+TEST(LoadStudy, ReadsBreaks) {
+  const Study study =
+      toy::bundle(toy::study_text() + "[breaks]\nafter = 'block'\nleast_s = 2.5\n").study;
+  EXPECT_TRUE(study.breaks.after_block);
+  EXPECT_EQ(study.breaks.least_us, 2'500'000);
+  EXPECT_FALSE(toy::bundle().study.breaks.after_block);
+}
+
+TEST(LoadStudy, RefusesBreaksOfMoreThanAnHour) {
+  EXPECT_THROW(toy::bundle(toy::study_text() + "[breaks]\nleast_s = 3601\n"), InputError);
+}
+
 }  // namespace
 }  // namespace promenade::study

@@ -64,5 +64,88 @@ TEST(Labels, ALongListScrollsToItsEnd) {
   EXPECT_EQ(panel.weights()(54), 1);
 }
 
+TEST(Labels, ASecondPressOffersTheRest) {
+  PanelBench panel("labels");
+  panel.click("pick", "old");
+  panel.click("pick", "old");
+  EXPECT_EQ(panel.log().back().kind, "offer");
+  panel.click("mix", "old");
+  panel.click("pick", "sad");
+  panel.click("pick", "sad");
+  panel.click("mix", "sad");
+  EXPECT_EQ(panel.weights()(cycle("old")), 0.5);
+  EXPECT_EQ(panel.weights()(cycle("sad")), 0.5);
+}
+
+TEST(Labels, TypingFiltersTheListFieldOrNot) {
+  PanelBench panel("labels");
+  panel.type("sA");
+  EXPECT_EQ(panel.find("pick", "old"), nullptr);
+  EXPECT_NE(panel.find("pick", "sad"), nullptr);
+  panel.key(GLFW_KEY_BACKSPACE);
+  panel.key(GLFW_KEY_BACKSPACE);
+  panel.frame();
+  EXPECT_NE(panel.find("pick", "old"), nullptr);
+  panel.click("filter", "list");
+  panel.type("old");
+  EXPECT_EQ(panel.find("pick", "sad"), nullptr);
+  EXPECT_NE(panel.find("pick", "old"), nullptr);
+}
+
+TEST(Labels, AFilterThatMatchesNothingCanBeTakenBack) {
+  PanelBench panel("labels");
+  panel.type("qqq");
+  EXPECT_EQ(panel.find("pick", "sad"), nullptr);
+  panel.key(GLFW_KEY_DOWN);
+  panel.click("show_all", "list");
+  panel.frame();
+  EXPECT_NE(panel.find("pick", "sad"), nullptr);
+  EXPECT_EQ(panel.weights(), study::start_weights(bench::space()));
+}
+
+TEST(Labels, ArrowKeysStayWithTheFilteredRows) {
+  PanelBench panel("labels");
+  panel.type("sad");
+  panel.key(GLFW_KEY_DOWN);
+  EXPECT_EQ(panel.log().back().target, "sad");
+}
+
+TEST(Labels, VariantsStandUnderTheirStyle) {
+  PanelBench panel("labels", bench::long_space(20));
+  const Widget* first = panel.find("pick", "a_style_with_a_long_name_100");
+  EXPECT_EQ(first->box.y, panel.box().y + 8 + 36 + 4 + 32);  // field, gap, one heading
+}
+
+float way_from_angry_to_sad(const std::string& groups) {
+  PanelBench panel("labels", bench::space(), {{"groups", groups}});
+  return panel.find("pick", "sad")->box.y - panel.find("pick", "angry")->box.y;
+}
+
+TEST(Labels, EachLetterHasAHeadingWhenAskedTo) {
+  EXPECT_GT(way_from_angry_to_sad("alphabet"), way_from_angry_to_sad("none") + 31);
+}
+
+TEST(Labels, BookmarksAreThoseOfTheMap) {
+  PanelBench panel("labels");
+  panel.click("pick", "old");
+  panel.click("bookmark", "");
+  panel.click("pick", "sad");
+  panel.click("goto", "1");
+  EXPECT_EQ(panel.weights(), Eigen::VectorXd::Unit(10, cycle("old")));
+}
+
+TEST(Labels, SlidersOfTheMixtureKeepTheirKeys) {
+  PanelBench panel("labels");
+  for (const char* name : {"sad", "old"}) {
+    panel.click("pick", name);
+    panel.click("pick", name);
+    panel.click("mix", name);
+  }
+  panel.click("share", "old");
+  panel.key(GLFW_KEY_END);
+  EXPECT_EQ(panel.log().back().kind, "share");
+  EXPECT_EQ(panel.log().back().value, 1);
+}
+
 }  // namespace
 }  // namespace promenade::app

@@ -51,6 +51,17 @@ TEST(AMinimap, StartsAtTheAverage) {
   EXPECT_LE((weights_after(map, start_map(map), 0) - VectorXd::Constant(20, 0.05)).norm(), 1e-15);
 }
 
+TEST(AMinimap, HasAnEllipseOfValidPoints) {
+  const Minimap map = make_minimap(examples(), {.metric = MapMetric::mahalanobis});
+  const Vector2d radii = valid_radii(map);
+  for (double angle = 0; angle < 6; angle += 0.1) {
+    const Vector2d edge = radii.cwiseProduct(Vector2d(std::cos(angle), std::sin(angle)));
+    EXPECT_EQ(pull_back(map, 0.999 * edge), Vector2d(0.999 * edge));
+    const Vector2d back = pull_back(map, 1.2 * edge);
+    EXPECT_NEAR(back.cwiseQuotient(radii).norm(), 1, 1e-12);
+  }
+}
+
 TEST(EveryHeuristic, KeepsTheSumAndTheCursor) {
   const Pca pca = examples();
   Random random(12);
