@@ -74,7 +74,8 @@ class ListView {
     if (!taken) touch_row(parameter, altered);
     if (visible_box().bottom() < at_.y || visible_box().y > at_.bottom()) return;
     const Palette& palette = panel_.look().palette;
-    const Rgb& ink = altered ? palette.on_colour : taken ? palette.line : palette.text;
+    const Rgb gone = 0.5f * (palette.quiet + palette.panel);  // it has a slider already
+    const Rgb& ink = altered ? palette.on_colour : taken ? gone : palette.text;
     Box name{at_.x + panel_.size(16), at_.y, at_.width - panel_.size(24), at_.height};
     if (catalogue_.pictograms) {
       const float side = panel_.size(28);
@@ -86,7 +87,7 @@ class ListView {
       name.x += shift;
       name.width -= shift;
     }
-    draw_parameter_name(panel_, parameter, name, 1, ink);
+    draw_parameter_name(panel_, parameter, name, ink);
   }
 
   // The slider's own parameter leads back to it.

@@ -21,47 +21,32 @@ Plan plan_of(const ParameterSliders& sliders, const InterfacePanel& panel) {
   const Box& all = panel.box();
   const float footer = panel.size(40);
   const float above = all.height - footer;
-  const float column = panel.size(144);
-  const float inset = panel.size(12);
-  const bool shown = sliders.weights_visible();
-  const float room = all.width - 2 * inset;
+  const float inset = panel.size(8);
+  const float column = sliders.weights_visible() ? panel.size(142) : 0;
+  const float below = panel.size(160);
   Plan plan;
-  plan.rows = {all.x + inset, all.y, shown ? room - column - inset : room, above};
-  plan.add = {all.x, all.y + above, panel.size(152), footer};
-  plan.column = {all.right() - inset - column, all.y, column, above};
-  plan.toggle = {all.right() - panel.size(152), all.y + above, panel.size(152), footer};
+  plan.rows = {all.x + inset, all.y, all.width - column - 2 * inset, above};
+  plan.add = {all.x, all.y + above, below, footer};
+  plan.column = {all.right() - column, all.y, column, above};
+  plan.toggle = {all.right() - below, all.y + above, below, footer};
   return plan;
 }
 
-// A row of 72 pixels: what it is called, the slider, and the words at its ends.
+// A row of 72 pixels: its name, the slider, and under it the words at its ends.
 struct RowPlan {
-  Box pictogram, title, close, value, slider, low, high;
+  Box title, pictogram, slider, close, ends;
 };
 
-RowPlan row_with_pictogram(const InterfacePanel& panel, const Box& row) {
+RowPlan plan_of_row(const InterfacePanel& panel, const Box& row, bool pictogram) {
   const auto size = [&panel](float at_720) { return panel.size(at_720); };
-  const float ends = size(64);
-  const float line = row.y + size(42);
+  const float from = row.x + (pictogram ? size(44) : 0);
+  const float width = row.right() - size(32) - from;
   RowPlan plan;
-  plan.pictogram = {row.x, row.y + size(2), size(40), size(40)};
-  plan.title = {row.x + size(44), row.y + size(2), row.width - size(44 + 28), size(40)};
-  plan.close = {row.right() - size(28), row.y, size(28), size(24)};
-  plan.value = {row.right() - size(72), row.y + size(22), size(72), size(20)};
-  plan.slider = {row.x + ends, line, row.width - 2 * ends, size(28)};
-  plan.low = {row.x, line, ends - size(4), size(28)};
-  plan.high = {row.right() - ends + size(4), line, ends - size(4), size(28)};
-  return plan;
-}
-
-RowPlan plain_row(const InterfacePanel& panel, const Box& row) {
-  const auto size = [&panel](float at_720) { return panel.size(at_720); };
-  RowPlan plan;
-  plan.title = {row.x, row.y, row.width - size(32), size(24)};
-  plan.close = {row.right() - size(28), row.y, size(28), size(24)};
-  plan.slider = {row.x, row.y + size(24), row.width, size(28)};
-  const float half = 0.5f * row.width;
-  plan.low = {row.x, row.y + size(51), half, size(20)};
-  plan.high = {row.x + half, row.y + size(51), half, size(20)};
+  plan.title = {row.x, row.y, row.width, size(22)};
+  plan.pictogram = {row.x, row.y + size(22), size(40), size(40)};
+  plan.slider = {from, row.y + size(20), width, size(28)};
+  plan.close = {row.right() - size(28), row.y + size(20), size(28), size(28)};
+  plan.ends = {from, row.y + size(47), width, size(18)};
   return plan;
 }
 
@@ -74,35 +59,43 @@ void draw_opens(const InterfacePanel& panel, const ImVec2& at, const Rgb& colour
                                                 {x + half, at.y + 0.7f * half}, packed(colour));
 }
 
-void draw_title(InterfacePanel& panel, const SliderParameter& parameter, Box box, int lines) {
+void draw_title(InterfacePanel& panel, const SliderParameter& parameter, const Box& box) {
   if (list_row(panel.ui(), "list", parameter.name, box, "", false)) {
     panel.report({.kind = "list", .target = parameter.name});
   }
-  box.width -= panel.size(20);
   const Palette& palette = panel.look().palette;
-  draw_opens(panel, draw_parameter_name(panel, parameter, box, lines, palette.text), palette.quiet);
+  const float end = draw_parameter_name(panel, parameter, box, palette.text);
+  if (end + panel.size(18) <= box.right()) {
+    draw_opens(panel, {end, box.middle_y()}, palette.quiet);
+  }
+}
+
+void draw_ends(InterfacePanel& panel, const SliderParameter& parameter, const Box& box,
+               double value) {
+  const Palette& palette = panel.look().palette;
+  ImFont* const font = panel.look().fonts.text;
+  const bool measured = !parameter.unit.empty();
+  const float room = std::floor((measured ? 0.33f : 0.5f) * box.width);
+  const Box low{box.x, box.y, room, box.height};
+  const Box high{box.right() - room, box.y, room, box.height};
+  panel.line(font, low, palette.quiet, words_of(panel, parameter.low));
+  panel.line(font, high, palette.quiet, words_of(panel, parameter.high), Align::right);
+  if (!measured) return;
+  panel.line(font, box, palette.text, value_text(parameter, value).view(), Align::centre);
 }
 
 void draw_row(const ParameterSliders& sliders, InterfacePanel& panel, const Box& row,
               const ParameterSliders::Slider& slider) {
   const SliderCatalogue& catalogue = sliders.catalogue();
   const auto& parameter = catalogue.parameters[static_cast<std::size_t>(slider.parameter)];
-  const bool pictograms = catalogue.pictograms;
-  const RowPlan at = pictograms ? row_with_pictogram(panel, row) : plain_row(panel, row);
-  const Palette& palette = panel.look().palette;
-  ImFont* const font = panel.look().fonts.text;
-  Box title = at.title;
-  if (!parameter.unit.empty()) title.width = at.value.x - title.x;
-  draw_title(panel, parameter, title, pictograms ? 2 : 1);
-  panel.press("delete", parameter.name, at.close, Icon::close);
+  const RowPlan at = plan_of_row(panel, row, catalogue.pictograms);
+  draw_title(panel, parameter, at.title);
   panel.slide(parameter.name, at.slider, slider.value, sliders.start_of(slider.parameter));
-  panel.line(font, at.low, palette.quiet, words_of(panel, parameter.low));
-  panel.line(font, at.high, palette.quiet, words_of(panel, parameter.high), Align::right);
-  if (!pictograms) return;
-  draw_pictogram(at.pictogram, parameter.pictogram, palette);
-  if (parameter.unit.empty()) return;
-  const ValueText value = value_text(parameter, slider.value);
-  panel.line(font, at.value, palette.text, value.view(), Align::right);
+  panel.press("delete", parameter.name, at.close, Icon::close);
+  draw_ends(panel, parameter, at.ends, slider.value);
+  if (catalogue.pictograms) {
+    draw_pictogram(at.pictogram, parameter.pictogram, panel.look().palette);
+  }
 }
 
 // A slider that was added comes into sight.
@@ -130,21 +123,18 @@ void draw_rows(const ParameterSliders& sliders, InterfacePanel& panel, const Box
   ImGui::PopID();
 }
 
-// Two lines where one is too short; returns where the text ends.
-ImVec2 draw_lines(ImFont* font, const Box& box, int lines, const Rgb& colour,
-                  std::string_view text) {
-  const float width = text_width(font, text);
-  if (width <= box.width || lines < 2) {
-    draw_line(font, box, colour, text);
-    return {box.x + std::min(width, box.width), box.middle_y()};
-  }
+// What the panel shows without any slider.
+void draw_none(InterfacePanel& panel, const Box& box) {
+  const std::string_view text = panel.text("sliders.none");
+  ImFont* const font = panel.look().fonts.text;
   const auto measure = [font](std::string_view part) { return text_width(font, part); };
-  const std::size_t first = first_line(text, box.width, measure);
-  const float half = std::round(0.5f * box.height);
-  const std::string_view rest = text.substr(first + (text[first] == ' ' ? 1 : 0));
-  draw_line(font, {box.x, box.y, box.width, half}, colour, text.substr(0, first));
-  draw_line(font, {box.x, box.y + half, box.width, half}, colour, rest);
-  return {box.x + std::min(text_width(font, rest), box.width), box.y + 1.5f * half};
+  const float height = panel.size(22);
+  Box line{box.x + panel.size(8), box.y + panel.size(8), box.width - panel.size(8), height};
+  for (std::size_t at = 0; at < text.size(); line.y += height) {
+    const std::size_t end = at + first_line(text.substr(at), line.width, measure);
+    panel.line(font, line, panel.look().palette.quiet, text.substr(at, end - at));
+    at = end < text.size() && text[end] == ' ' ? end + 1 : end;
+  }
 }
 
 void draw_add(const ParameterSliders& sliders, InterfacePanel& panel, const Box& box) {
@@ -201,29 +191,30 @@ std::string_view words_of(const InterfacePanel& panel, const Words& words) {
   return text != nullptr ? *text : words.fallback;
 }
 
-ImVec2 draw_parameter_name(InterfacePanel& panel, const SliderParameter& parameter, const Box& box,
-                           int lines, const Rgb& colour) {
+float draw_parameter_name(InterfacePanel& panel, const SliderParameter& parameter, const Box& box,
+                          const Rgb& colour) {
   ImFont* const font = panel.look().fonts.text;
   const std::string_view title = words_of(panel, parameter.title);
-  if (!title.empty()) return draw_lines(font, box, lines, colour, title);
+  if (!title.empty()) {
+    draw_line(font, box, colour, title);
+    return box.x + std::min(text_width(font, title), box.width);
+  }
   // A pair: "slow – fast".
   constexpr std::string_view between = " – ";
+  const std::string_view low = words_of(panel, parameter.low);
+  const std::string_view high = words_of(panel, parameter.high);
   const float dash = text_width(font, between);
-  const std::string_view words[] = {words_of(panel, parameter.low),
-                                    words_of(panel, parameter.high)};
-  const float most = 0.5f * (box.width - dash);
-  const float low = text_width(font, words[0]);
-  const float high = text_width(font, words[1]);
-  const bool fits = low + dash + high <= box.width;
-  Box at = box;
-  at.width = fits ? low + 1 : most;
-  draw_line(font, at, colour, words[0]);
-  at.x += fits ? low : most;
+  const float half = 0.5f * (box.width - dash);
+  const float widths[] = {text_width(font, low) + 1, text_width(font, high) + 1};
+  const bool fits = widths[0] + dash + widths[1] <= box.width;
+  Box at{box.x, box.y, fits ? widths[0] : half, box.height};
+  draw_line(font, at, colour, low);
+  at.x = at.right();
   draw_text(font, at, colour, between);
   at.x += dash;
-  at.width = fits ? high + 1 : most;
-  draw_line(font, at, colour, words[1]);
-  return {at.right(), box.middle_y()};
+  at.width = fits ? widths[1] : half;
+  draw_line(font, at, colour, high);
+  return at.right();
 }
 
 void draw_sliders(const study::InterfaceState& state, InterfacePanel& panel) {
@@ -231,11 +222,7 @@ void draw_sliders(const study::InterfaceState& state, InterfacePanel& panel) {
   if (sliders.list() != ParameterSliders::List::closed) return draw_parameter_list(sliders, panel);
   const Plan plan = plan_of(sliders, panel);
   draw_rows(sliders, panel, plan.rows);
-  if (sliders.sliders().empty()) {
-    draw_lines(panel.look().fonts.text,
-               {plan.rows.x, plan.rows.y + panel.size(16), plan.rows.width, panel.size(44)}, 2,
-               panel.look().palette.quiet, panel.text("sliders.none"));
-  }
+  if (sliders.sliders().empty()) draw_none(panel, plan.rows);
   draw_add(sliders, panel, plan.add);
   if (sliders.weights_visible()) draw_weights_column(sliders, panel, plan.column);
   if (sliders.catalogue().column != WeightsColumn::hidden) draw_toggle(sliders, panel, plan.toggle);

@@ -27,8 +27,8 @@ void draw_weights_column(const ParameterSliders& sliders, study::InterfacePanel&
 
 // The text in the language on screen.
 std::string_view words_of(const study::InterfacePanel& panel, const Words& words);
-// The name of a parameter in `box`, in up to `lines` lines; returns where it ends, pixels.
-ImVec2 draw_parameter_name(study::InterfacePanel& panel, const SliderParameter& parameter,
-                           const Box& box, int lines, const Rgb& colour);
+// The name of a parameter, on one line; returns where it ends, pixels.
+float draw_parameter_name(study::InterfacePanel& panel, const SliderParameter& parameter,
+                          const Box& box, const Rgb& colour);
 
 }  // namespace promenade::app

@@ -10,11 +10,13 @@ using study::InterfacePanel;
 
 namespace {
 
+// The bar lies under the name, in a tone that leaves it readable.
 void draw_bar(const InterfacePanel& panel, const Box& box, double share) {
   const Palette& palette = panel.look().palette;
   const auto part = static_cast<float>(std::clamp(share, 0.0, 1.0));
-  fill(box, palette.track);
-  fill({box.x, box.y, std::round(part * box.width), box.height}, palette.created);
+  fill(box, palette.hover);
+  fill({box.x, box.y, std::round(part * box.width), box.height},
+       Rgb(0.4f * palette.created + 0.6f * palette.panel));
 }
 
 void draw_weight(const ParameterSliders& sliders, InterfacePanel& panel, const Box& row,
@@ -28,10 +30,11 @@ void draw_weight(const ParameterSliders& sliders, InterfacePanel& panel, const B
       panel.report({.kind = "weight", .target = target, .value = *moved});
     }
   }
-  const float bar = panel.size(4);
-  panel.line(panel.look().fonts.text, {row.x, row.y, row.width, row.height - bar},
+  draw_bar(panel, {row.x, row.y, row.width, row.height - panel.size(2)}, share);
+  const float inset = panel.size(4);
+  panel.line(panel.look().fonts.text,
+             {row.x + inset, row.y, row.width - 2 * inset, row.height - panel.size(2)},
              panel.look().palette.text, panel.content().names[i]);
-  draw_bar(panel, {row.x, row.bottom() - bar - panel.size(2), row.width, bar}, share);
 }
 
 }  // namespace
@@ -46,7 +49,9 @@ void draw_weights_column(const ParameterSliders& sliders, InterfacePanel& panel,
   ImGui::PushID("weights");
   const float width = panel.begin_scroll(list, height * count);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  Box row{origin.x, origin.y, width - panel.size(4), height};
+  // Beside the bar that scrolls there is no room to give away.
+  const float margin = width < box.width ? 0 : panel.size(8);
+  Box row{origin.x, origin.y, width - margin, height};
   for (const int cycle : panel.content().by_name) {
     draw_weight(sliders, panel, row, cycle);
     row.y += height;
