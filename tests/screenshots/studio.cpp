@@ -87,6 +87,7 @@ void Studio::play(int inputs) {
   const study::InterfaceType& type = *interfaces().find(use.type);
   for (int k = 0; k < inputs && session().trial() != nullptr; ++k) {
     pass(0.7);
+    if (session().trial() == nullptr) return;  // it was won, or its time was up
     const auto ideas = type.simulate(*session().trial()->interface, rng_);
     if (!ideas.empty()) take(study::Control{ideas[rng_.below(ideas.size())]});
   }
