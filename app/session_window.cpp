@@ -116,14 +116,16 @@ class Player {
     gui_.use();
   }
 
-  // At every second frame: they are looked at now and then.
+  // At most 30 times a second and a fifth of the time: the session goes first.
   void draw_examples_window() {
-    even_ = !even_;
-    if (!examples_ || even_) return;
+    const std::int64_t now_us = monotonic_us();
+    if (!examples_ || now_us < examples_due_us_) return;
     examples_->speak(view_->language());
     examples_->draw(view_->stage().phase(), live_.session().paused());
     examples_->show();
     use_own_window();
+    const std::int64_t took_us = monotonic_us() - now_us;
+    examples_due_us_ = now_us + std::max<std::int64_t>(33'000, 5 * took_us);
   }
 
   // Every program of the card is used once before anybody looks: the first time
@@ -175,7 +177,7 @@ class Player {
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;
   std::unique_ptr<ExamplesWindow> examples_;
-  bool even_ = false;
+  std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
 };
 

@@ -178,7 +178,7 @@ TEST_P(EveryInterface, ItsTextsAreThereInEveryLanguage) {
     const std::set<std::string> known(keys.begin(), keys.end());
     for (const std::string& key : type().texts) EXPECT_TRUE(known.count(key)) << language << key;
     // The instructions say what it is and how it is used.
-    for (const char* part : {".title", ".hint"}) {
+    for (const char* part : {".title", ".hint", ".practice"}) {
       EXPECT_TRUE(known.count("interface." + GetParam() + part)) << language << part;
     }
   }

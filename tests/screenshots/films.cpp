@@ -104,7 +104,7 @@ void to_declined(Studio& studio) {
 }
 
 void to_matched(Studio& studio) {
-  to_trial(studio);
+  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
   const study::Target& target = study::target_of(studio.bundle().study, studio.planned());
   studio.take(study::Control{{.kind = "pick", .target = target.name}});
   studio.pass(2);

@@ -80,9 +80,12 @@ bool can_have(const Scene& scene, const std::string& interface) {
     study_with(scene, set_of(scene, "."), {interface});
     return true;
   } catch (const InputError& error) {
-    const std::string& why = error.problems().front().message;
-    std::fputs(fmt::format("{} is left out with {}: {}\n", interface, scene.set, why).c_str(),
-               stderr);
+    for (const Problem& problem : error.problems()) {
+      if (problem.severity != Severity::error) continue;
+      std::fputs(
+          fmt::format("without {} in {}: {}\n", interface, scene.set, problem.message).c_str(),
+          stderr);
+    }
     return false;
   }
 }

@@ -85,9 +85,9 @@ void Studio::play(int inputs) {
   const study::InterfaceUse& use =
       bundle_.study.interfaces[static_cast<std::size_t>(planned().interface)];
   const study::InterfaceType& type = *interfaces().find(use.type);
-  for (int k = 0; k < inputs; ++k) {
+  for (int k = 0; k < inputs && session().trial() != nullptr; ++k) {
     pass(0.7);
-    if (session().trial() == nullptr) return;  // one of them won
+    if (session().trial() == nullptr) return;  // it was won, or its time was up
     const auto ideas = type.simulate(*session().trial()->interface, rng_);
     if (!ideas.empty()) take(study::Control{ideas[rng_.below(ideas.size())]});
   }
