@@ -18,11 +18,12 @@ struct Column {
   std::optional<double> (*value)(const LoggedTrial& trial);
 };
 
-// Restricted to the limit. A failure counts with the time at which it ended,
+// Without pauses, restricted to the limit. A failure counts with the time at which it ended,
 // which is the limit for a timeout (docs/methods.md, 6).
 std::optional<double> time_of(const LoggedTrial& trial) {
   if (!trial.ended_us) return std::nullopt;
-  const double seconds = static_cast<double>(*trial.ended_us - trial.started_us) / 1e6;
+  const std::int64_t worked_us = *trial.ended_us - trial.started_us - trial.paused_us;
+  const double seconds = static_cast<double>(worked_us) / 1e6;
   return trial.limit_s ? std::min(seconds, *trial.limit_s) : seconds;
 }
 

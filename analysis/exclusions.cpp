@@ -28,7 +28,9 @@ std::vector<Exclusion> parse_exclusions(const std::string& file, std::string_vie
     const bool blank = code.empty() && row.cells.size() == 1;
     if (blank || (row.line == 1 && is_header(code))) continue;
     if (code.empty() || row.cells.size() > 2) {
-      problems.push_back({file, row.line, 1, "want CODE,REASON here", Severity::error});
+      const Place place = row.place(code.empty() ? 0 : 2);
+      problems.push_back(
+          {file, place.line, place.column, "want CODE,REASON here", Severity::error});
     } else {
       exclusions.push_back({code, reason, row.line});
     }

@@ -27,12 +27,21 @@ constexpr const char* session_query =
     "ORDER BY session.started_utc, participant.code, session.uuid";
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
-    "ended_us, outcome, d_first, d_best, d_final, clicks, changes "
+    "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
     "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
+
+// Databases of before there were pauses have no column of them.
+std::string trial_query_for(Database& database) {
+  constexpr std::string_view column = "coalesce(paused_us, 0)";
+  std::string query = trial_query;
+  Statement known(database, "SELECT 1 FROM pragma_table_info('trial') WHERE name = 'paused_us'");
+  if (!known.step()) query.replace(query.find(column), column.size(), "0");
+  return query;
+}
 
 // SQLite stores infinities; they are counted in `dropped` and taken for missing.
 std::optional<double> real(const Statement& row, int column, int& dropped) {
@@ -43,9 +52,6 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   return std::nullopt;
 }
 
-constexpr const char* damaged =
-    "is damaged (cut off or overwritten); use a copy of it, or recover it with sqlite3's .recover";
-
 Database open(const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
@@ -55,10 +61,10 @@ Database open(const std::string& file) {
   Database database(file, Database::Mode::read_only);
   study::check_database(database);
   Statement check(database, "PRAGMA quick_check(1)");
-  if (!check.step() || check.text(0) != "ok") throw InputError(file, damaged);
+  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
   for (const char* table : {"session", "trial", "answer"}) {
     Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
-    if (lost.step()) throw InputError(file, damaged);
+    if (lost.step()) throw InputError(file, study::damaged_database);
   }
   return database;
 }
@@ -81,6 +87,7 @@ LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
   trial.d_final = real(row, 13, dropped);
   trial.clicks = real(row, 14, dropped);
   trial.changes = real(row, 15, dropped);
+  trial.paused_us = row.integer(16);
   return trial;
 }
 
@@ -130,7 +137,7 @@ class Reader {
   }
 
   void read_trials(Database& database) {
-    Statement row(database, trial_query);
+    Statement row(database, trial_query_for(database));
     while (row.step()) {
       const int session = session_of_.at(row.text(0));
       if (item(log_.sessions, session).file != file_index()) continue;
@@ -181,7 +188,7 @@ Log read_log(const std::vector<std::string>& files) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     } catch (const study::DatabaseError& error) {
       if (!is_about_content(error)) throw;
-      problems.push_back({file, 0, 0, damaged, Severity::error});
+      problems.push_back({file, 0, 0, study::damaged_database, Severity::error});
     }
   }
   if (!problems.empty()) throw InputError(std::move(problems));

@@ -28,7 +28,8 @@ struct LoggedTrial {
   std::optional<double> limit_s, threshold_m;
   std::int64_t started_us = 0;
   std::optional<std::int64_t> ended_us;
-  std::string outcome;  // success, timeout, done, skipped or aborted; empty: cut off
+  std::int64_t paused_us = 0;  // how long it stood still between them
+  std::string outcome;         // success, timeout, done, skipped or aborted; empty: cut off
   std::optional<double> d_first, d_best, d_final;  // metres
   std::optional<double> clicks, changes;
 };

@@ -5,6 +5,7 @@
 
 #include "analysis/gnuplot.h"
 #include "analysis/map_picture_parts.h"
+#include "motion/angles.h"
 #include "motion/models/centre_of_mass.h"
 
 namespace promenade::analysis {
@@ -61,7 +62,7 @@ constexpr std::array<Limbs, 3> parts = {{
 
 // Seen from the right of the figure, which walks to the right.
 Vector2d seen(const Eigen::Vector3d& at, int figure) {
-  const double angle = view_angle * M_PI / 180;
+  const double angle = view_angle * motion::pi / 180;
   return {at.z() * std::cos(angle) - at.x() * std::sin(angle) + figure * apart, at.y()};
 }
 

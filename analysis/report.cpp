@@ -31,7 +31,7 @@ class Workshop {
     std::error_code error;
     fs::create_directories(path_ / "figures", error);
     if (!error) fs::create_directories(path_ / "tables", error);
-    if (error) cannot_write(path_, error);
+    if (error) cannot_write(wanted, error);
   }
   ~Workshop() {
     std::error_code ignored;
@@ -103,13 +103,26 @@ void put_in_place(const fs::path& from, const fs::path& to) {
   }
 }
 
+// Nobody asked for the folder that the report is made in.
+std::string named_as_wanted(std::string message, const fs::path& made_in, const fs::path& wanted) {
+  const std::string name = made_in.string();
+  for (std::size_t at; (at = message.find(name)) != std::string::npos;) {
+    message.replace(at, name.size(), wanted.string());
+  }
+  return message;
+}
+
 }  // namespace
 
 void write_report(const ReportOptions& options) {
   const fs::path folder = folder_of(options.folder);
   const Results results = compute_results(options.databases, options.selection, options.progress);
   const Workshop workshop(folder);
-  write_all(results, workshop.path(), options.progress);
+  try {
+    write_all(results, workshop.path(), options.progress);
+  } catch (const OutsideError& error) {
+    throw OutsideError(named_as_wanted(error.what(), workshop.path(), folder));
+  }
   put_in_place(workshop.path(), folder);
 }
 

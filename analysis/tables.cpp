@@ -4,6 +4,7 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "study/csv.h"
 
 namespace promenade::analysis {
 namespace {
@@ -154,12 +155,7 @@ struct CsvField {
   std::string operator()(std::monostate) const { return ""; }
   std::string operator()(std::int64_t value) const { return std::to_string(value); }
   std::string operator()(double value) const { return exact_number(value); }
-  std::string operator()(const std::string& text) const {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-    return quoted + "\"";
-  }
+  std::string operator()(const std::string& text) const { return study::csv_cell(text); }
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 #include "analysis/families/family.h"
 #include "motion/problem.h"
@@ -43,13 +44,44 @@ Problem problem_at(const std::string& file, std::string_view text, std::size_t b
           std::move(message), Severity::error};
 }
 
+// Is it the beginning of a number that no double can hold? Then where it ends, else 0.
+std::size_t end_of_huge_number(std::string_view text) {
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const std::string_view word = text.substr(0, static_cast<std::size_t>(stop - text.data()));
+  const std::size_t exponent = word.find_first_of("eE");
+  const bool tiny =
+      exponent != word.npos ? word.find('-', exponent) != word.npos : word.find("0.") <= 1;
+  return error == std::errc::result_out_of_range && !tiny ? word.size() : 0;
+}
+
+// The same document with such numbers as texts, which the cases that hold them refuse.
+std::string with_huge_numbers_quoted(std::string_view text) {
+  std::string result;
+  bool in_text = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char letter = text[i];
+    const bool begins_number = (letter >= '0' && letter <= '9') || letter == '-';
+    const std::size_t end = !in_text && begins_number ? end_of_huge_number(text.substr(i)) : 0;
+    if (letter == '"') in_text = !in_text;
+    if (end > 0) {
+      result += '"' + std::string(text.substr(i, end)) + '"';
+      i += end - 1;
+      continue;
+    }
+    result += letter;
+    if (in_text && letter == '\\' && i + 1 < text.size()) result += text[++i];
+  }
+  return result;
+}
+
 Json parse(const std::string& file, std::string_view text) {
   try {
     return Json::parse(text);
   } catch (const Json::parse_error& error) {
     throw InputError({problem_at(file, text, error.byte, "is not JSON here")});
-  } catch (const Json::exception&) {
-    throw InputError(file, "holds a number that is out of range");
+  } catch (const Json::out_of_range&) {
+    return Json::parse(with_huge_numbers_quoted(text));
   }
 }
 
@@ -68,21 +100,23 @@ Json run_case(const std::string& family, const Json& one) {
   }
 }
 
-// Runs the cases of one family into results; what is out of place into problems.
-void run_family(const std::string& file, const std::string& family, const Json& cases,
-                Json& results, std::vector<Problem>& problems) {
-  const auto wrong = [&](std::string message) {
-    problems.push_back({file, 0, 0, std::move(message), Severity::error});
-  };
-  if (!cases.is_array()) return wrong("family " + family + " is not a list of cases");
+// An entry under the place of a case, since there is no id to put it under.
+void put_error(Json& results, std::string place, const std::string& message) {
+  while (results.contains(place)) place += '_';
+  results[place] = error_entry(message);
+}
+
+// Runs the cases of one family into results.
+void run_family(const std::string& family, const Json& cases, Json& results) {
+  if (!cases.is_array()) return put_error(results, "family " + family, "is not a list of cases");
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const Json& one = cases[i];
     const std::string place = "case " + std::to_string(i) + " of family " + family;
     const auto id = one.is_object() ? one.find("id") : one.end();
     if (id == one.end() || !id->is_string()) {
-      wrong(place + " has no id");
+      put_error(results, place, "the case has no id");
     } else if (results.contains(id->get<std::string>())) {
-      wrong(place + " has the id of an earlier case, " + id->get<std::string>());
+      put_error(results, place, "the id " + id->get<std::string>() + " is that of an earlier case");
     } else {
       results[id->get<std::string>()] = run_case(family, one);
     }
@@ -98,11 +132,7 @@ std::string run_vectors(const std::string& file, std::string_view text) {
     throw InputError(file, "has no object \"families\"; it is not a file of test vectors");
   }
   Json results = Json::object();
-  std::vector<Problem> problems;
-  for (const auto& [family, cases] : families->items()) {
-    run_family(file, family, cases, results, problems);
-  }
-  if (!problems.empty()) throw InputError(std::move(problems));
+  for (const auto& [family, cases] : families->items()) run_family(family, cases, results);
   return Json{{"results", std::move(results)}}.dump(1) + "\n";
 }
 

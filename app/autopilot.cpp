@@ -54,7 +54,11 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
 }
 
 Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& action) const {
+  if (const auto* choice = std::get_if<study::ChooseLanguage>(&action)) {
+    return {"press", "language:" + choice->language};
+  }
   if (std::holds_alternative<study::Continue>(action)) return {"press", "continue"};
+  if (std::holds_alternative<study::Resume>(action)) return {"press", "resume"};
   if (std::holds_alternative<study::Decline>(action)) return {"press", "decline"};
   if (std::holds_alternative<study::Done>(action)) return {"press", "done"};
   if (std::holds_alternative<study::StartOver>(action)) return {"press", "start_over"};

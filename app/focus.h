@@ -19,6 +19,9 @@ class Focus {
   bool on(std::string_view kind, std::string_view target) const {
     return kind == kind_ && target == target_;
   }
+  // The keyboard works on nothing: Enter is the page's main button.
+  bool nowhere() const { return kind_.empty(); }
+  void leave() { take({}, {}); }
   // The mouse took this one; no ring.
   void take(std::string_view kind, std::string_view target);
   bool ring() const { return ring_; }

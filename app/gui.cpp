@@ -4,9 +4,10 @@
 
 namespace promenade::app {
 
-Gui::Gui(const Palette& palette, std::vector<std::string> words) : words_(std::move(words)) {
+Gui::Gui(const Palette& palette, std::vector<std::string> words)
+    : context_(ImGui::CreateContext()), words_(std::move(words)) {
   IMGUI_CHECKVERSION();
-  ImGui::CreateContext();
+  use();
   ImGuiIO& io = ImGui::GetIO();
   io.IniFilename = nullptr;  // nothing is remembered between sessions
   io.LogFilename = nullptr;
@@ -18,12 +19,12 @@ Gui::Gui(const Palette& palette, std::vector<std::string> words) : words_(std::m
   look_.scale = 0;
 }
 
-Gui::~Gui() { ImGui::DestroyContext(); }
+Gui::~Gui() { ImGui::DestroyContext(context_); }
 
-bool Gui::fit(int width, int height) {
+bool Gui::fit(int width, int height, double share) {
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-  layout_ = make_layout(width, height);
+  layout_ = make_layout(width, height, share);
   if (look_.scale == layout_.scale) return false;
   look_.scale = layout_.scale;
   look_.fonts = load_fonts(*io.Fonts, look_.scale, words_);

@@ -18,13 +18,16 @@ class Gui {
   Gui(const Gui&) = delete;
   Gui& operator=(const Gui&) = delete;
 
-  // Follows the size of the window. True: the fonts are new, and so must be their
-  // texture.
-  bool fit(int width, int height);
+  // What is drawn from now on is drawn with this one.
+  void use() { ImGui::SetCurrentContext(context_); }
+  // Follows the size of the window, `share` of which the picture takes. True: the fonts are new,
+  // and so must be their texture.
+  bool fit(int width, int height, double share = 1);
   const Look& look() const { return look_; }
   const Layout& layout() const { return layout_; }
 
  private:
+  ImGuiContext* context_;
   std::vector<std::string> words_;
   Look look_;
   Layout layout_;

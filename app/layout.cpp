@@ -5,9 +5,10 @@
 
 namespace promenade::app {
 
-Layout make_layout(int width, int height) {
+Layout make_layout(int width, int height, double share) {
   Layout layout;
   layout.scale = std::min(static_cast<float>(width) / 1280, static_cast<float>(height) / 720);
+  layout.scale *= static_cast<float>(share);
   // Below half size nothing can be read; the picture is cut instead.
   layout.scale = std::max(layout.scale, 0.5f);
   layout.left =
@@ -24,11 +25,15 @@ Box Layout::box(float x, float y, float width, float height) const {
   return {left + size(x), top + size(y), right - size(x), bottom - size(y)};
 }
 
+StagePlan Layout::instructions_plan() const {
+  return {box(104, 464, 640, 240), size(164), top + size(650), top + size(668), {}, {}};
+}
+
 StagePlan Layout::stage_plan(bool with_wall) const {
   const auto y = [this](float at) { return top + size(at); };
-  if (!with_wall) return {stage(), size(400), y(540), y(624), box(16, 664, 816, 40), {}};
+  if (!with_wall) return {stage(), size(400), y(540), y(624), box(16, 656, 816, 32), {}};
   return {box(16, 64, 816, 404), size(270), y(384), y(428), box(16, 472, 816, 36),
-          box(16, 512, 816, 192)};
+          box(16, 512, 816, 176)};
 }
 
 }  // namespace promenade::app

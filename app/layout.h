@@ -32,10 +32,13 @@ struct Layout {
   Box redo() const { return box(1040, 648, 48, 48); }
   Box done() const { return box(1104, 648, 160, 48); }
   StagePlan stage_plan(bool with_wall) const;
+  // The figures beside the text of the instructions.
+  StagePlan instructions_plan() const;
   // Pages of text.
   Box column() const { return box(320, 96, 640, 528); }
 };
 
-Layout make_layout(int width, int height);
+// `share`: of the window that the picture may take.
+Layout make_layout(int width, int height, double share = 1);
 
 }  // namespace promenade::app

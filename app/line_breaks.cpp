@@ -38,6 +38,17 @@ std::size_t next_break(std::string_view text, std::size_t from) {
 
 }  // namespace
 
+std::size_t first_line(std::string_view text, float width,
+                       const std::function<float(std::string_view)>& measure) {
+  std::size_t end = 0;
+  while (end < text.size() && text[end] != '\n') {
+    const std::size_t next = next_break(text, end);
+    if (end > 0 && measure(text.substr(0, next)) > width) break;
+    end = next;
+  }
+  return end;
+}
+
 std::vector<std::string_view> break_lines(std::string_view text, float width,
                                           const std::function<float(std::string_view)>& measure) {
   std::vector<std::string_view> lines;

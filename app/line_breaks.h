@@ -13,4 +13,8 @@ namespace promenade::app {
 std::vector<std::string_view> break_lines(std::string_view text, float width,
                                           const std::function<float(std::string_view)>& measure);
 
+// Where the first of those lines ends. No allocation.
+std::size_t first_line(std::string_view text, float width,
+                       const std::function<float(std::string_view)>& measure);
+
 }  // namespace promenade::app

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "study/identity.h"
+
 namespace promenade::app {
 
 using study::Record;
@@ -43,6 +45,7 @@ bool LiveSession::begin() {
 bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
   if (recorded_) return true;
   header_.participant = participant;
+  if (!session_.language().empty()) header_.language = session_.language();
   header_.new_participant = must_be_new;
   bool refused = false;
   guard([&] {

@@ -62,6 +62,12 @@ Palette make_palette(bool paper) {
   return palette;
 }
 
+const Rgb& ink_on(const Palette& palette, const Rgb& ground) {
+  // Relative luminance; 0.18 is where black and white have the same contrast.
+  const Rgb linear = ground.array().pow(2.2f);
+  return linear.dot(Rgb(0.2126f, 0.7152f, 0.0722f)) > 0.18f ? palette.text : palette.on_colour;
+}
+
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words) {
   require_fonts();
   atlas.Clear();

@@ -42,6 +42,9 @@ struct Palette {
 // examples, green bookmarks and a red dot ([N] 5.4).
 Palette make_palette(bool paper);
 
+// Black on a light ground, white on a dark one: whichever can be read better.
+const Rgb& ink_on(const Palette& palette, const Rgb& ground);
+
 struct Fonts {
   ImFont* text = nullptr;     // 16 px
   ImFont* bold = nullptr;     // 16 px

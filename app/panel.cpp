@@ -40,6 +40,12 @@ void InterfacePanel::write(std::string_view kind, std::string_view target, const
   }
 }
 
+void InterfacePanel::tile(std::string_view kind, std::string_view target, const app::Box& box) {
+  if (app::tile(ui_, kind, target, box)) {
+    report({.kind = std::string(kind), .target = std::string(target)});
+  }
+}
+
 void InterfacePanel::figure(const app::Box& box, const Eigen::VectorXd& weights,
                             const app::Rgb& colour) {
   if (content_.figures != nullptr) {

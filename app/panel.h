@@ -50,6 +50,8 @@ class InterfacePanel {
   // A line to write in; reports {kind, target, text} when it changes.
   void write(std::string_view kind, std::string_view target, const app::Box& box,
              const std::string& text, const std::string& hint);
+  // A frame around what is drawn there; reports {kind, target} when pressed.
+  void tile(std::string_view kind, std::string_view target, const app::Box& box);
   // A figure that walks by these N weights, and does nothing else.
   void figure(const app::Box& box, const Eigen::VectorXd& weights, const app::Rgb& colour);
   // A line of text; what is too long for the box loses its middle.

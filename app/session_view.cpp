@@ -4,6 +4,8 @@
 #include <cassert>
 #include <numeric>
 
+#include "study/adjective_model.h"
+
 namespace promenade::app {
 namespace {
 
@@ -19,13 +21,13 @@ std::string cycle_name(const motion::Cycle& cycle, const study::Texts& texts) {
   return texts.style(cycle.style) + " " + rest;
 }
 
-std::vector<int> order_of(const std::vector<std::string>& names) {
-  std::vector<int> order(names.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
-  });
-  return order;
+std::vector<OfferedLanguage> offered(const study::Study& study) {
+  std::vector<OfferedLanguage> languages;
+  for (const std::string& code : study.languages) {
+    const study::Texts texts = study::load_texts(code);
+    languages.push_back({code, texts("language"), texts("welcome.language")});
+  }
+  return languages;
 }
 
 void add_local(const study::LocalText& text, std::vector<std::string>& words) {
@@ -34,16 +36,33 @@ void add_local(const study::LocalText& text, std::vector<std::string>& words) {
 
 }  // namespace
 
+std::vector<int> order_by_name(const std::vector<std::string>& names) {
+  std::vector<int> order(names.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
+  });
+  return order;
+}
+
 std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts) {
   std::vector<std::string> names;
   for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle_name(cycle, texts));
   return names;
 }
 
-std::vector<std::string> shown_words(const study::StudyBundle& bundle, const study::Texts& texts) {
-  std::vector<std::string> words = cycle_names(bundle.space.set, texts);
-  for (const std::string& key : texts.keys()) words.push_back(texts(key));
+std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
+  std::vector<std::string> words;
+  if (bundle.adjectives) {
+    const std::vector<std::string>& pairs = bundle.adjectives->table.pairs;
+    words.insert(words.end(), pairs.begin(), pairs.end());
+  }
   const study::Study& study = bundle.study;
+  for (const std::string& language : study.languages) {
+    const study::Texts texts = study::load_texts(language);
+    for (const std::string& name : cycle_names(bundle.space.set, texts)) words.push_back(name);
+    for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  }
   add_local(study.title, words);
   add_local(study.consent, words);
   for (const study::Rating& rating : study.ratings) {
@@ -59,22 +78,35 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle, const stu
 }
 
 SessionView::SessionView(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
-                         const study::Texts& texts, const Gui& gui, LiveSession& live,
-                         InputQueue& queue, const ViewOptions& options)
+                         const Gui& gui, LiveSession& live, InputQueue& queue,
+                         const ViewOptions& options)
     : bundle_(bundle),
       registry_(registry),
-      texts_(texts),
       gui_(gui),
       live_(live),
       queue_(queue),
       options_(options),
-      names_(cycle_names(bundle.space.set, texts)),
-      by_name_(order_of(names_)),
+      language_(options.language.empty() ? bundle.study.languages.front() : options.language),
+      texts_(study::load_texts(language_)),
+      languages_(offered(bundle.study)),
+      names_(cycle_names(bundle.space.set, texts_)),
+      by_name_(order_by_name(names_)),
       stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
-      content_{bundle.space, texts, names_, by_name_, &stage_.small_figures()},
+      content_{bundle.space, texts_, names_, by_name_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
   std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
+}
+
+void SessionView::speak(const std::string& language) {
+  language_ = language;
+  texts_ = study::load_texts(language);
+  names_ = cycle_names(bundle_.space.set, texts_);
+  by_name_ = order_by_name(names_);
+}
+
+bool SessionView::covered() const {
+  return live_.session().paused() || live_.failure().has_value();
 }
 
 bool SessionView::has_panel() const {
@@ -100,9 +132,13 @@ const study::PlannedTrial& SessionView::planned() const {
   return session.plan().trials[static_cast<std::size_t>(session.page().trial)];
 }
 
-void SessionView::advance(std::int64_t now_us) { stage_.advance(now_us, cast()); }
+void SessionView::advance(std::int64_t now_us) {
+  if (covered()) return stage_.rest(now_us);
+  stage_.advance(now_us, cast());
+}
 
 void SessionView::draw_figures(FigureRenderer& renderer) {
+  if (covered()) return;
   const Layout& layout = gui_.layout();
   const Palette& palette = gui_.look().palette;
   stage_.draw(renderer, layout, stage_plan(), palette);
@@ -111,6 +147,8 @@ void SessionView::draw_figures(FigureRenderer& renderer) {
 }
 
 StagePlan SessionView::stage_plan() const {
+  const bool trial = live_.session().page().kind == PageKind::trial;
+  if (!trial) return gui_.layout().instructions_plan();
   return gui_.layout().stage_plan(bundle_.study.display.examples == study::ExamplesWall::panel);
 }
 
@@ -137,6 +175,13 @@ void SessionView::frame(std::int64_t now_us) {
   take_presses();
   actions_.clear();
   changes_.clear();
+  const bool fresh = page_ != &live_.session().page() || paused_ != live_.session().paused();
+  page_ = &live_.session().page();
+  paused_ = live_.session().paused();
+  if (fresh) {
+    widgets_.clear();
+    focus_.leave();
+  }
   ImGui::NewFrame();
   focus_.begin(widgets_);
   stage_.small_figures().clear();
@@ -146,10 +191,12 @@ void SessionView::frame(std::int64_t now_us) {
                .texts = texts_,
                .registry = registry_,
                .content = content_,
-               .language = options_.language,
+               .language = language_,
+               .languages = languages_,
                .now_us = live_.since_began(now_us),
                .pilot = options_.pilot,
                .simulated = options_.simulated,
+               .fresh = fresh,
                .failure = live_.failure() ? live_.failure()->c_str() : nullptr,
                .stage = stage_,
                .stage_plan = stage_plan(),
@@ -173,6 +220,8 @@ void SessionView::take_actions() {
     return;
   }
   for (StudyAction& action : actions_) live_.take(std::move(action), moment);
+  const std::string& chosen = live_.session().language();
+  if (!chosen.empty() && chosen != language_) speak(chosen);
 }
 
 void SessionView::leave_welcome() {

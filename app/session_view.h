@@ -12,22 +12,24 @@
 namespace promenade::app {
 
 struct ViewOptions {
-  std::string language = "en";
-  std::string participant;  // empty: the welcome page asks
+  std::string language = "en";  // empty: the first page asks
+  std::string participant;      // empty: the welcome page asks
   bool pilot = false, simulated = false;
 };
 
-// Every text that the pages can show, in one language.
-std::vector<std::string> shown_words(const study::StudyBundle& bundle, const study::Texts& texts);
+// Every text that the pages can show, in every language of the study.
+std::vector<std::string> shown_words(const study::StudyBundle& bundle);
 // What people read for each cycle of the set.
 std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts);
+
+// The places of names in the order of the alphabet.
+std::vector<int> order_by_name(const std::vector<std::string>& names);
 
 class SessionView {
  public:
   // Everything named outlives the view. `gui` has been fitted.
   SessionView(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
-              const study::Texts& texts, const Gui& gui, LiveSession& live, InputQueue& queue,
-              const ViewOptions& options);
+              const Gui& gui, LiveSession& live, InputQueue& queue, const ViewOptions& options);
 
   // Lets the figures walk on, as the session now is.
   void advance(std::int64_t now_us);
@@ -43,9 +45,12 @@ class SessionView {
   // Draws the figures of the page, large and small, and the ground of its panel.
   void draw_figures(FigureRenderer& renderer);
   Stage& stage() { return stage_; }
+  const std::string& language() const { return language_; }
   const WidgetMap& widgets() const { return widgets_; }
+  const Focus& focus() const { return focus_; }
 
  private:
+  bool covered() const;  // by a page without figures
   bool has_panel() const;
   Cast cast() const;
   StagePlan stage_plan() const;
@@ -54,14 +59,17 @@ class SessionView {
   void take_presses();
   void take_actions();
   void leave_welcome();
+  void speak(const std::string& language);
 
   const study::StudyBundle& bundle_;
   const study::InterfaceRegistry& registry_;
-  const study::Texts& texts_;
   const Gui& gui_;
   LiveSession& live_;
   InputQueue& queue_;
   ViewOptions options_;
+  std::string language_;
+  study::Texts texts_;
+  std::vector<OfferedLanguage> languages_;
   std::vector<std::string> names_;
   std::vector<int> by_name_;
   Stage stage_;
@@ -74,6 +82,8 @@ class SessionView {
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;
   std::int64_t shown_us_ = -1, shown_before_us_ = -1;
+  const study::Page* page_ = nullptr;  // of the frame before
+  bool paused_ = false;                // and whether it was paused
   bool closed_ = false;
 };
 

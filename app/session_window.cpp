@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "app/autopilot.h"
+#include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
+#include "study/identity.h"
 
 namespace promenade::app {
 namespace {
@@ -24,7 +26,8 @@ study::SessionHeader header_of(const SessionSetting& setting, const Window& wind
   study::SessionHeader header;
   header.started_utc = study::utc_now();
   header.station = setting.station;
-  header.language = setting.language;
+  header.language =
+      setting.language.empty() ? setting.bundle.study.languages.front() : setting.language;
   header.simulated = setting.autopilot.has_value();
   header.pilot = setting.pilot;
   Json machine = Json::parse(window.description());
@@ -38,13 +41,14 @@ class Player {
  public:
   Player(const SessionSetting& setting, study::Store& store)
       : setting_(setting),
-        texts_(study::load_texts(setting.language)),
-        window_({.title = setting.bundle.study.name, .windowed = setting.windowed}, queue_),
-        gui_(make_palette(setting.bundle.study.display.paper_colours),
-             shown_words(setting.bundle, texts_)),
+        window_({.title = setting.bundle.study.name,
+                 .windowed = setting.windowed,
+                 .screen = setting.bundle.study.display.screen},
+                queue_),
+        gui_(make_palette(setting.bundle.study.display.paper_colours), shown_words(setting.bundle)),
         live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
     fit();
-    view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), texts_, gui_, live_, queue_,
+    view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
                                           view_options());
     if (setting.autopilot) {
       autopilot_ = std::make_unique<Autopilot>(
@@ -53,7 +57,15 @@ class Player {
     }
   }
 
+  ~Player() {
+    examples_.reset();
+    use_own_window();
+  }
+  Player(const Player&) = delete;
+  Player& operator=(const Player&) = delete;
+
   SessionResult play() {
+    open_examples();
     warm_up();
     const FrameTimes times = run_frames(
         window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
@@ -73,7 +85,8 @@ class Player {
  private:
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
     const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
-    return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence)};
+    return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
+            setting.language.empty()};
   }
 
   ViewOptions view_options() const {
@@ -82,7 +95,37 @@ class Player {
   }
 
   void fit() {
-    if (gui_.fit(window_.width(), window_.height())) gui_renderer_.upload_fonts();
+    const double share = setting_.bundle.study.display.scale;
+    if (gui_.fit(window_.width(), window_.height(), share)) gui_renderer_.upload_fonts();
+  }
+
+  void open_examples() {
+    const study::Display& display = setting_.bundle.study.display;
+    if (display.examples != study::ExamplesWall::screen) return;
+    const int screen = setting_.windowed ? 0 : another_display(display.screen);
+    examples_ = std::make_unique<ExamplesWindow>(
+        setting_.bundle, WindowOptions{.title = setting_.bundle.study.name + ": examples",
+                                       .windowed = setting_.windowed,
+                                       .screen = screen,
+                                       .shows_only = true});
+    use_own_window();
+  }
+
+  void use_own_window() {
+    window_.use();
+    gui_.use();
+  }
+
+  // At most 30 times a second and a fifth of the time: the session goes first.
+  void draw_examples_window() {
+    const std::int64_t now_us = monotonic_us();
+    if (!examples_ || now_us < examples_due_us_) return;
+    examples_->speak(view_->language());
+    examples_->draw(view_->stage().phase(), live_.session().paused());
+    examples_->show();
+    use_own_window();
+    const std::int64_t took_us = monotonic_us() - now_us;
+    examples_due_us_ = now_us + std::max<std::int64_t>(33'000, 5 * took_us);
   }
 
   // Every program of the card is used once before anybody looks: the first time
@@ -119,12 +162,12 @@ class Player {
     if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
     view_->frame(now_us);
     gui_renderer_.draw();
+    draw_examples_window();
   }
 
   bool ended() const { return view_->ended(); }
 
   const SessionSetting& setting_;
-  study::Texts texts_;
   InputQueue queue_;
   Window window_;
   Gui gui_;
@@ -133,6 +176,8 @@ class Player {
   LiveSession live_;
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;
+  std::unique_ptr<ExamplesWindow> examples_;
+  std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
 };
 
@@ -140,7 +185,11 @@ class Player {
 
 SessionResult run_session(const SessionSetting& setting) {
   // A display and fonts first: without them nothing is written.
-  require_display();
+  const study::Display& display = setting.bundle.study.display;
+  require_display(setting.windowed ? 0 : display.screen);
+  if (display.examples == study::ExamplesWall::screen && !setting.windowed) {
+    another_display(display.screen);
+  }
   require_fonts();
   study::Store store(setting.database, setting.bundle);
   return Player(setting, store).play();

@@ -13,7 +13,7 @@ struct SessionSetting {
   std::string database;     // file
   std::string participant;  // code; empty: asked for on the welcome page
   std::string station = "1";
-  std::string language = "en";
+  std::string language;  // empty: the first page asks
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;  // seed of the simulated participant
 };

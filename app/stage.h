@@ -39,6 +39,8 @@ class Stage {
   // figure jump. The target sets the pace, since what is to be matched must not change
   // with the controls; alone, the created figure walks at its own.
   void advance(std::int64_t now_us, const Cast& cast);
+  // Time passed in which nothing moved.
+  void rest(std::int64_t now_us) { last_us_ = now_us; }
   void draw(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
             const Palette& palette);
   void draw_small(FigureRenderer& renderer, const Palette& palette);
@@ -49,6 +51,8 @@ class Stage {
   double phase() const { return phase_; }
   void scrub(double phase) { phase_ = phase; }
   bool shows(Role role) const { return figure(role).present; }
+  // Is there only its place?
+  bool hides(Role role) const { return figure(role).present && figure(role).hidden; }
   // Under the feet of a figure, where its plate goes: pixels.
   Eigen::Vector2f plate(const StagePlan& plan, Role role) const;
 

@@ -66,6 +66,7 @@ float line_height(ImFont* font) { return std::round(font->FontSize * 1.08f); }
 
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
            bool stop) {
+  if (ui.inert) return false;
   Widget widget;
   widget.stop = stop;
   return enter(ui, kind, target, widget, box);
@@ -158,6 +159,14 @@ bool small_button(const Ui& ui, std::string_view kind, std::string_view target, 
   return now.clicked;
 }
 
+bool tile(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
+  const Touch now = touch(ui, kind, target, box);
+  const Palette& palette = ui.look.palette;
+  const float thickness = ui.layout.size(now.hovered ? 2 : 1);
+  frame(box, now.hovered ? palette.created : palette.line, thickness);
+  return now.clicked;
+}
+
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked) {
   const Palette& palette = ui.look.palette;
@@ -187,7 +196,35 @@ std::optional<double> slid_by_key(double value) {
   return std::nullopt;
 }
 
+// Where the mouse or the keys take it. A press beside the knob brings it there; one
+// within `radius` of it takes it as it is.
+std::optional<double> dragged(const Touch& now, const Widget& widget, float radius, double value) {
+  float& grip = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("grip"));
+  const float span = widget.at_one - widget.at_zero;
+  const float mouse = ImGui::GetIO().MousePos.x;
+  if (now.pressed) grip = std::abs(mouse - widget.knob) <= radius ? widget.knob - mouse : 0;
+  if (now.held && ImGui::IsMouseDown(0)) {
+    const double wanted =
+        std::clamp(static_cast<double>((mouse + grip - widget.at_zero) / span), 0.0, 1.0);
+    const float at = widget.at_zero + span * static_cast<float>(wanted);
+    const bool same_pixel = std::abs(at - widget.knob) < 0.25f;
+    return same_pixel ? std::nullopt : std::optional(wanted);
+  }
+  const std::optional<double> moved = now.focused ? slid_by_key(value) : std::nullopt;
+  return moved == value ? std::nullopt : moved;
+}
+
 }  // namespace
+
+std::optional<double> drag_bar(const Ui& ui, std::string_view kind, std::string_view target,
+                               const Box& box, double value) {
+  Widget widget;
+  widget.slides = true;
+  widget.at_zero = box.x;
+  widget.at_one = box.right();
+  widget.knob = box.x + box.width * static_cast<float>(value);
+  return dragged(touch(ui, kind, target, box, widget), widget, 0, value);
+}
 
 std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
                              const Box& box, double value, double start) {
@@ -203,20 +240,7 @@ std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_vi
   widget.at_one = from + span;
   const Touch now = touch(ui, kind, target, box, widget);
 
-  // A press beside the knob brings it there; one on it takes it as it is.
-  float& grip = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("grip"));
-  const float mouse = ImGui::GetIO().MousePos.x;
-  const bool by_mouse = now.held && ImGui::IsMouseDown(0);
-  if (now.pressed) grip = std::abs(mouse - widget.knob) <= radius ? widget.knob - mouse : 0;
-  std::optional<double> moved;
-  if (by_mouse) {
-    const double wanted = std::clamp(static_cast<double>((mouse + grip - from) / span), 0.0, 1.0);
-    const bool same_pixel = std::abs(place(wanted) - widget.knob) < 0.25f;
-    if (!same_pixel) moved = wanted;
-  } else if (now.focused) {
-    moved = slid_by_key(value);
-    if (moved == value) moved.reset();
-  }
+  const std::optional<double> moved = dragged(now, widget, radius, value);
   const float y = std::round(box.middle_y());
   const float half = std::max(1.0f, ui.layout.size(2));
   const float knob = place(moved.value_or(value));

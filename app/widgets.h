@@ -55,6 +55,9 @@ bool button(const Ui& ui, std::string_view target, const Box& box, std::string_v
 bool small_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
                   std::string_view label);
 
+// A frame around something that is drawn elsewhere; true: pressed and released on it.
+bool tile(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
+
 // A row of a list; true: pressed. `marked` in the colour of the created figure.
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked);
@@ -97,6 +100,11 @@ bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, 
 // key passes by what does not `stop` it.
 bool place(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
            bool stop = true);
+
+// Where a bar from 0 to 1 that fills `box` is pressed or dragged; the arrow keys move it
+// as a slider. Draws nothing.
+std::optional<double> drag_bar(const Ui& ui, std::string_view kind, std::string_view target,
+                               const Box& box, double value);
 
 // The part of the window that is drawn to now.
 Box visible_box();

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 #include <utility>
 
+#include "motion/angles.h"
 #include "motion/scanner.h"
 
 namespace promenade::motion {
@@ -35,7 +37,9 @@ Header read_header(Scanner& in) {
     } else if (same_word(word, ":samples-per-second")) {
       header.rate = read_rate(in);
     } else if (!same_word(word, ":fully-specified")) {
-      in.warn_at(in.word_position(), "keyword " + quoted(word) + " is left out");
+      const std::string suggestion =
+          meant(word, {":degrees", ":radians", ":samples-per-second", ":fully-specified"});
+      in.warn_at(in.word_position(), "keyword " + quoted(word) + " is left out" + suggestion);
     }
     in.skip_line();
   }
@@ -60,7 +64,8 @@ class FrameReader {
   }
 
   Eigen::MatrixXd read() {
-    while (!in_.at_end() && !in_.full()) read_frame();
+    while (!in_.at_end() && !full()) read_frame();
+    say_complaints();
     if (in_.failed()) in_.give_up();
     if (frames_ == 0) in_.refuse("there is no frame in it");
     values_.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(frames_));
@@ -76,6 +81,7 @@ class FrameReader {
   void read_frame_number() {
     const ScannedNumber number = to_number(in_.next());
     if (number.trouble || number.value != std::floor(number.value)) {
+      say_complaints();
       in_.refuse("expected the number of a frame");
     }
     if (frames_ > 0 && number.value != number_ + 1) {
@@ -83,7 +89,9 @@ class FrameReader {
     }
     number_ = number.value;
     number_at_ = in_.word_position();
-    if (!in_.at_line_end()) in_.refuse_next("expected nothing behind the number of a frame");
+    if (in_.at_line_end()) return;
+    say_complaints();
+    in_.refuse_next("expected nothing behind the number of a frame");
   }
 
   static std::string whole(double number) {
@@ -99,7 +107,7 @@ class FrameReader {
     read_frame_number();
     ++frames_;
     std::size_t found = 0;
-    for (std::size_t place = 0; !in_.full(); ++place) {
+    for (std::size_t place = 0; !full(); ++place) {
       const std::string_view name = in_.peek();
       if (begins_number(name)) break;
       const int joint = find(name, place);
@@ -107,11 +115,11 @@ class FrameReader {
       if (joint >= 0) {
         found += read_bone(joint) ? 1 : 0;
       } else {
-        in_.error(quoted(name) + " is no bone of " + skeleton_.file);
+        complain(in_.word_position(), quoted(name) + " is no bone of " + skeleton_.file, name);
         in_.skip_line();
       }
     }
-    if (found < bones_ && !in_.full()) name_the_missing();
+    if (found < bones_ && !full()) name_the_missing();
   }
 
   int find(std::string_view name, std::size_t place) {
@@ -130,14 +138,14 @@ class FrameReader {
     const bool fits = frames_ <= room_ && wanted > 0;
     double* const out = fits ? &values_(row, static_cast<Eigen::Index>(frames_) - 1) : nullptr;
     std::size_t found = in_.take_numbers(out, wanted);
-    for (; !in_.at_line_end() && !in_.full(); ++found) {
+    for (; !in_.at_line_end() && !full(); ++found) {
       const double value = read_odd_value();
       if (out && found < wanted) out[found] = value;
     }
-    if (found != wanted) in_.error_at(name_at, wrong_number(joint, found));
+    if (found != wanted) complain(name_at, wrong_number(joint, found));
     std::size_t& seen = seen_[static_cast<std::size_t>(joint)];
     const bool again = std::exchange(seen, frames_) == frames_;
-    if (again) in_.error_at(name_at, "bone " + name_of(joint) + " twice in one frame");
+    if (again) complain(name_at, "bone " + name_of(joint) + " twice in one frame");
     return !again && wanted > 0;
   }
 
@@ -164,7 +172,37 @@ class FrameReader {
       if (channels(j).empty() || seen_[static_cast<std::size_t>(j)] == frames_) continue;
       names += (names.empty() ? " " : ", ") + name_of(j);
     }
-    if (!names.empty()) in_.error_at(number_at_, "frame " + whole(number_) + " lacks" + names);
+    if (!names.empty()) complain(number_at_, "the frame lacks" + names);
+  }
+
+  // What is wrong in one frame is wrong in most others: it is said once.
+  struct Complaint {
+    std::size_t at = 0;     // where it was met first
+    int again = 0;          // how often later on
+    std::string_view name;  // that is no bone
+  };
+
+  void complain(std::size_t at, const std::string& message, std::string_view name = {}) {
+    const auto [known, fresh] = complaints_.try_emplace(message, Complaint{at, 0, name});
+    if (!fresh) ++known->second.again;
+  }
+
+  std::vector<std::string> bones() const {
+    std::vector<std::string> names;
+    for (const Joint& joint : skeleton_.skeleton.joints) names.push_back(joint.name);
+    return names;
+  }
+
+  bool full() const { return in_.full() || complaints_.size() >= 20; }
+
+  void say_complaints() {
+    for (const auto& [message, one] : complaints_) {
+      const std::string times = one.again > 0 ? "; so " + std::to_string(one.again) +
+                                                    (one.again == 1 ? " time" : " times") + " more"
+                                              : "";
+      in_.error_at(one.at, message + times + (one.name.empty() ? "" : meant(one.name, bones())));
+    }
+    complaints_.clear();
   }
 
   Scanner& in_;
@@ -175,6 +213,7 @@ class FrameReader {
   std::size_t bones_ = 0;                                  // that move
   std::size_t room_ = 0;                                   // frames
   std::size_t frames_ = 0;
+  std::map<std::string, Complaint> complaints_;
   double number_ = 0;  // of the last frame
   std::size_t number_at_ = 0;
   Eigen::MatrixXd values_;  // C x T
@@ -189,7 +228,7 @@ void settle(Eigen::MatrixXd& values, const AsfSkeleton& skeleton, bool radians) 
         const double start = skeleton.root_position(static_cast<int>(channel));
         if (start != 0) values.row(row).array() += start;
       } else if (radians) {
-        values.row(row) *= 180 / M_PI;
+        values.row(row) *= 180 / pi;
       }
       ++row;
     }

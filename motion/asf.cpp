@@ -4,6 +4,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "motion/angles.h"
 #include "motion/asf_sections.h"
 #include "motion/degrees.h"
 
@@ -24,7 +25,7 @@ std::string lower(std::string_view word) {
 Quaterniond rotation_of(const AsfTurns& turns, bool radians) {
   Quaterniond rotation = Quaterniond::Identity();
   for (std::size_t i = 0; i < 3; ++i) {
-    const double degrees = radians ? turns.angle[i] * (180 / M_PI) : turns.angle[i];
+    const double degrees = radians ? turns.angle[i] * (180 / pi) : turns.angle[i];
     const SineCosine half = sine_cosine_of_degrees(0.5 * degrees);
     Quaterniond step(half.cosine, 0, 0, 0);
     step.vec()(turns.axis[i]) = half.sine;
@@ -78,8 +79,15 @@ class Assembler {
   int find(std::string_view name, std::size_t place) {
     const auto found = numbers_.find(lower(name));
     if (found != numbers_.end()) return found->second;
-    if (!in_.full()) in_.error_at(place, quoted(name) + " is no bone of :bonedata");
+    if (!in_.full())
+      in_.error_at(place, quoted(name) + " is no bone of :bonedata" + meant(name, bone_names()));
     return -1;
+  }
+
+  std::vector<std::string> bone_names() const {
+    std::vector<std::string> names = {"root"};
+    for (const AsfBone& bone : sections_.bones) names.push_back(bone.name);
+    return names;
   }
 
   void find_children() {

@@ -1,5 +1,7 @@
 #include "motion/asf_sections.h"
 
+#include <algorithm>
+
 namespace promenade::motion {
 namespace {
 
@@ -49,7 +51,10 @@ std::vector<Channel> read_channels(Scanner& in) {
   while (!in.at_line_end()) {
     const std::string_view word = in.next();
     const std::optional<Channel> channel = channel_from(word);
-    if (!channel) in.refuse("expected a degree of freedom such as rx, found " + quoted(word));
+    if (!channel) {
+      in.refuse("expected a degree of freedom such as rx, found " + quoted(word) +
+                meant(word, {"tx", "ty", "tz", "rx", "ry", "rz"}));
+    }
     for (const Channel other : channels) {
       if (other == *channel) in.refuse("degree of freedom " + quoted(word) + " twice");
     }
@@ -88,7 +93,10 @@ class SectionReader {
     if (same_word(keyword, ":hierarchy")) return read_hierarchy();
     const bool known = same_word(keyword, ":version") || same_word(keyword, ":name") ||
                        same_word(keyword, ":documentation");
-    if (!known) in_.warn_at(in_.word_position(), "section " + quoted(keyword) + " is left out");
+    if (!known) {
+      const std::string suggestion = meant(keyword, {":units", ":root", ":bonedata", ":hierarchy"});
+      in_.warn_at(in_.word_position(), "section " + quoted(keyword) + " is left out" + suggestion);
+    }
     in_.skip_line();
     skip_section(in_);
   }
@@ -101,7 +109,7 @@ class SectionReader {
       } else if (in_.take("angle")) {
         read_angle_unit();
       } else {
-        in_.skip_line();  // mass, and what does not matter here
+        skip_other({"length", "angle"}, {"mass"});
       }
     }
   }
@@ -126,14 +134,15 @@ class SectionReader {
           angle = read_number(in_, "orientation");
         }
       } else {
-        in_.refuse_next("expected order, axis, position or orientation");
+        in_.refuse_next("expected order, axis, position or orientation",
+                        {"order", "axis", "position", "orientation"});
       }
     }
   }
 
   void read_bones() {
     while (!at_keyword(in_)) {
-      if (!in_.take("begin")) in_.refuse_next("expected begin");
+      if (!in_.take("begin")) in_.refuse_next("expected begin", {"begin"});
       AsfBone bone;
       while (!in_.take("end")) read_in_bone(bone);
       if (bone.name.empty()) in_.refuse("a bone without a name");
@@ -158,8 +167,22 @@ class SectionReader {
     } else if (in_.take("limits")) {
       skip_limits();
     } else {
-      in_.skip_line();  // id, bodymass, cofmass and others
+      skip_other({"name", "direction", "length", "axis", "dof", "limits", "end"},
+                 {"id", "bodymass", "cofmass"});
     }
+  }
+
+  // A line that says nothing about places, with a word if it was probably meant to.
+  void skip_other(const std::vector<std::string>& read, const std::vector<std::string>& known) {
+    const std::string_view word = in_.next();
+    const bool expected = std::any_of(known.begin(), known.end(), [word](const std::string& other) {
+      return same_word(word, other);
+    });
+    const std::string suggestion = expected ? "" : meant(word, read);
+    if (!suggestion.empty()) {
+      in_.warn_at(in_.word_position(), quoted(word) + " is left out" + suggestion);
+    }
+    in_.skip_line();
   }
 
   void read_freedom(AsfBone& bone) {

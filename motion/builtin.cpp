@@ -32,6 +32,12 @@ std::vector<gait::GaitStyle> styles_of(std::string_view name) {
 
 }  // namespace
 
+std::optional<std::string> builtin_name(std::string_view set) {
+  constexpr std::string_view prefix = "builtin:";
+  if (set.substr(0, prefix.size()) != prefix) return std::nullopt;
+  return std::string(set.substr(prefix.size()));
+}
+
 std::optional<MotionSet> builtin_set(std::string_view name) {
   const std::vector<gait::GaitStyle> styles = styles_of(name);
   if (styles.empty()) return std::nullopt;

@@ -12,6 +12,9 @@
 
 namespace promenade::motion {
 
+// "A" of "builtin:A", as people name a built-in set; nothing for any other name.
+std::optional<std::string> builtin_name(std::string_view set);
+
 // "A": ten styles of a walking human at one speed and direction ([O] 4, set A).
 // "B": nine emotions of Russell's circle, each fast, normal and slow ([O] 4, set B).
 // "N": 55 styles in three families, crouching, upright and wide (after [N] 5, whose map

@@ -35,7 +35,7 @@ class HierarchyReader {
       } else if (in_.take("ROOT")) {
         open_joint(-1);
       } else {
-        in_.refuse_next("expected ROOT or MOTION");
+        in_.refuse_next("expected ROOT or MOTION", {"ROOT", "MOTION"});
       }
     }
     if (!open_.empty())
@@ -51,11 +51,12 @@ class HierarchyReader {
     const Open& block = open_.back();
     if (in_.take("OFFSET")) return read_offset();
     if (in_.take("}")) return close();
-    if (block.end_site) in_.refuse_next("expected OFFSET or '}'");
+    if (block.end_site) in_.refuse_next("expected OFFSET or '}'", {"OFFSET"});
     if (in_.take("CHANNELS")) return read_channels();
     if (in_.take("JOINT")) return open_joint(block.joint);
     if (in_.take("End") || in_.take("EndSite")) return open_end_site();
-    in_.refuse_next("expected OFFSET, CHANNELS, JOINT, End Site or '}'");
+    in_.refuse_next("expected OFFSET, CHANNELS, JOINT, End Site or '}'",
+                    {"OFFSET", "CHANNELS", "JOINT", "End"});
   }
 
   std::string name_of(int joint) const {
@@ -146,6 +147,12 @@ class HierarchyReader {
     return std::nullopt;
   }
 
+  static std::vector<std::string> channel_names() {
+    std::vector<std::string> names;
+    for (int c = 0; c < 6; ++c) names.emplace_back(channel_name(static_cast<Channel>(c)));
+    return names;
+  }
+
   static bool is_channel(std::string_view word) { return channel_from(word).has_value(); }
 
   void read_channel(JointChannels& list, std::string_view count) {
@@ -153,7 +160,8 @@ class HierarchyReader {
     const std::optional<Channel> channel = channel_from(word);
     if (!channel) {
       in_.refuse("CHANNELS says " + std::string(count) +
-                 "; expected a channel such as Xrotation, found " + quoted(word));
+                 "; expected a channel such as Xrotation, found " + quoted(word) +
+                 meant(word, channel_names()));
     }
     for (const Channel other : list.channels) {
       if (other == *channel) in_.refuse("channel " + quoted(word) + " twice on one joint");

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "motion/angles.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -53,7 +55,7 @@ void add_sines_cosines(const double* degrees, int count, double* sines, double* 
   std::uint64_t quarters[most];
   for (int i = 0; i < count; ++i) {
     const double shifted = degrees[i] * (1.0 / 90) + rounder;
-    x[i] = (degrees[i] - 90 * (shifted - rounder)) * (M_PI / 180);  // the difference is exact
+    x[i] = (degrees[i] - 90 * (shifted - rounder)) * degree;  // the difference is exact
     quarters[i] = std::bit_cast<std::uint64_t>(shifted);
   }
   double sine[most], cosine[most];

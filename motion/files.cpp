@@ -23,6 +23,37 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
                      "; choose another place or make room");
 }
 
+// A folder and those that it lies in, as far as they are missing; gone again with whoever
+// made them unless they are to stay.
+class MadeFolders {
+ public:
+  explicit MadeFolders(const std::filesystem::path& folder) {
+    std::error_code error;
+    for (auto up = folder; !up.empty() && !std::filesystem::exists(up, error);
+         up = up.parent_path()) {
+      made_.push_back(up);
+    }
+    if (!folder.empty()) std::filesystem::create_directories(folder, error);
+    if (!error) return;
+    remove();
+    cannot_write(folder, error.value());
+  }
+  ~MadeFolders() { remove(); }
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+  void keep() { made_.clear(); }
+
+ private:
+  // Only what is empty goes.
+  void remove() {
+    std::error_code ignored;
+    for (const std::filesystem::path& folder : made_) std::filesystem::remove(folder, ignored);
+  }
+
+  std::vector<std::filesystem::path> made_;  // the deepest first
+};
+
 }  // namespace
 
 void check_is_file(const std::filesystem::path& path) {
@@ -55,9 +86,7 @@ std::string read_file(const std::filesystem::path& path) {
 }
 
 void write_file(const std::filesystem::path& path, std::string_view bytes) {
-  std::error_code error;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
-  if (error) cannot_write(path.parent_path(), error.value());
+  MadeFolders folders(path.parent_path());
   std::filesystem::path beside = path;
   beside += "." + std::to_string(::getpid()) + ".part";
   File file(std::fopen(beside.c_str(), "wb"));
@@ -66,11 +95,31 @@ void write_file(const std::filesystem::path& path, std::string_view bytes) {
                      std::fflush(file.get()) == 0 && ::fsync(::fileno(file.get())) == 0;
   const int write_error = errno;
   file.reset();
+  std::error_code error;
   if (whole) std::filesystem::rename(beside, path, error);
-  if (whole && !error) return;
+  if (whole && !error) return folders.keep();
   std::error_code ignored;
   std::filesystem::remove(beside, ignored);
   cannot_write(path, whole ? error.value() : write_error);
+}
+
+void write_files(const std::filesystem::path& folder, const std::vector<NamedBytes>& files) {
+  MadeFolders folders(folder);
+  std::vector<std::filesystem::path> made;
+  try {
+    for (const NamedBytes& file : files) {
+      const std::filesystem::path path = folder / file.name;
+      std::error_code ignored;
+      const bool there = std::filesystem::exists(path, ignored);
+      write_file(path, file.bytes);
+      if (!there) made.push_back(path);
+    }
+  } catch (const OutsideError&) {
+    std::error_code ignored;
+    for (const std::filesystem::path& path : made) std::filesystem::remove(path, ignored);
+    throw;
+  }
+  folders.keep();
 }
 
 }  // namespace promenade

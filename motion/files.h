@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace promenade {
 
@@ -15,7 +16,15 @@ void check_is_file(const std::filesystem::path& path);
 std::string read_file(const std::filesystem::path& path);
 
 // Writes beside the target and renames: a killed program leaves the old file or
-// the new one. Makes missing folders. Throws OutsideError.
+// the new one. Makes missing folders, and takes them away again if it fails. Throws
+// OutsideError.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+struct NamedBytes {
+  std::string name, bytes;
+};
+
+// Several files of one folder, all of them or none that was not there before.
+void write_files(const std::filesystem::path& folder, const std::vector<NamedBytes>& files);
 
 }  // namespace promenade

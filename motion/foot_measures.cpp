@@ -1,8 +1,9 @@
+#include "motion/foot_measures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "motion/foot_plant.h"
 #include "motion/heel.h"
 #include "motion/quantile.h"
 

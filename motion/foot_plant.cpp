@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "motion/foot_changes.h"
+#include "motion/foot_measures.h"
 
 namespace promenade::motion {
 namespace {

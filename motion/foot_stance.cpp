@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/angles.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -96,7 +98,7 @@ std::vector<double> smooth_cover(const Walk& walk, const std::vector<double>& va
   const auto weight = [&](int f, int g) {
     double apart = std::abs(walk.times[walk.wrapped(f)] - walk.times[walk.wrapped(g)]);
     apart = std::min(apart, walk.cycle.seconds - apart);
-    return apart < cover_seconds ? 0.5 + 0.5 * std::cos(M_PI * apart / cover_seconds) : 0;
+    return apart < cover_seconds ? 0.5 + 0.5 * std::cos(pi * apart / cover_seconds) : 0;
   };
   std::vector<double> covered(values.size(), 0), smooth(values.size(), 0);
   for (int f = 0; f < size; ++f) {

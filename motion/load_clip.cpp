@@ -54,7 +54,13 @@ void check_is_text(const fs::path& path) {
   if (start.substr(0, 2) == "\xff\xfe" || start.substr(0, 2) == "\xfe\xff") {
     throw InputError(path.string(), "is text in UTF-16; save it as UTF-8 or ASCII");
   }
-  if (start.find('\0') != start.npos) throw InputError(path.string(), "is not a text file");
+  const std::size_t zero = start.find('\0');
+  if (zero == start.npos) return;
+  const std::string_view before = start.substr(0, zero);
+  const auto line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t line_at = before.rfind('\n') + 1;  // 0 when there is none
+  throw InputError({{path.string(), line, static_cast<int>(zero - line_at) + 1,
+                     "is not a text file: here is a byte 0", Severity::error}});
 }
 
 std::string read_text(const fs::path& path) {

@@ -22,6 +22,13 @@ double warp(const std::vector<double>& from, const std::vector<double>& to, doub
 
 }  // namespace
 
+std::vector<std::string> names_of(const MotionSet& set) {
+  std::vector<std::string> names;
+  names.reserve(set.cycles.size());
+  for (const Cycle& cycle : set.cycles) names.push_back(cycle.name);
+  return names;
+}
+
 int find_cycle(const MotionSet& set, const std::string& name) {
   for (int i = 0; i < set.size(); ++i) {
     if (set.cycles[static_cast<std::size_t>(i)].name == name) return i;

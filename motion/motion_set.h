@@ -56,6 +56,7 @@ struct MotionSet {
 };
 
 int find_cycle(const MotionSet& set, const std::string& name);  // -1: none
+std::vector<std::string> names_of(const MotionSet& set);        // of its cycles, in order
 
 // Time warp of a cycle: phase (0 to 1) to seconds and back, piecewise linear
 // between keytimes. Values outside wrap around by whole cycles.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/wide.h"
-
 namespace promenade::motion {
 namespace {
 
@@ -151,9 +149,9 @@ PROMENADE_WIDE void blend_phase_wide(const PhaseOffsets& phase, double* mixed, d
 
 }  // namespace
 
-void blend_rotations(const PhaseOffsets& phase, double* mixed, double* rotations) {
-  return has_wide() ? blend_phase_wide(phase, mixed, rotations)
-                    : blend_phase_narrow(phase, mixed, rotations);
+void blend_rotations(const PhaseOffsets& phase, double* mixed, double* rotations, bool wide) {
+  return wide ? blend_phase_wide(phase, mixed, rotations)
+              : blend_phase_narrow(phase, mixed, rotations);
 }
 
 }  // namespace promenade::motion

@@ -2,6 +2,8 @@
 // turned into rotations (motion/pose_blender.h, which lays the memory out).
 #pragma once
 
+#include "motion/wide.h"
+
 namespace promenade::motion {
 
 inline constexpr int rows_of_a_block = 16;
@@ -18,7 +20,9 @@ struct PhaseOffsets {
 };
 
 // rotations (lanes x 4) = average * exp(sum of weights times offsets); `mixed` (rows) holds
-// that sum. Within 1e-15 of the definition for sums up to 3.2 radians, exact beyond.
-void blend_rotations(const PhaseOffsets& phase, double* mixed, double* rotations);
+// that sum. Within 1e-15 of the definition for sums up to 3.2 radians, exact beyond. `wide`
+// only where the processor can; the digits are the same either way.
+void blend_rotations(const PhaseOffsets& phase, double* mixed, double* rotations,
+                     bool wide = has_wide());
 
 }  // namespace promenade::motion

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "motion/did_you_mean.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -26,6 +28,11 @@ std::string quoted(std::string_view word) {
   if (word.empty()) return "the end of the file";
   std::string text = "'" + std::string(word.substr(0, most));
   return text + (word.size() > most ? "...'" : "'");
+}
+
+std::string meant(std::string_view word, const std::vector<std::string>& names) {
+  const std::string name = closest_name_of_any_case(word, names);
+  return name.empty() ? "" : "; did you mean " + quoted(name) + "?";
 }
 
 Scanner::Scanner(std::string_view text, std::string file, Punctuation punctuation)
@@ -151,11 +158,16 @@ void Scanner::warn_at(std::size_t position, std::string message) {
   add(position, std::move(message), Severity::warning);
 }
 
-void Scanner::give_up() { throw InputError(problems_); }
+void Scanner::give_up() {
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+  throw InputError(problems_);
+}
 
-void Scanner::refuse_next(const std::string& expected) {
+void Scanner::refuse_next(const std::string& expected, const std::vector<std::string>& names) {
   const std::string_view word = next();
-  refuse(expected + ", found " + quoted(word));
+  refuse(expected + ", found " + quoted(word) + meant(word, names));
 }
 
 std::vector<Problem> Scanner::warnings() const {

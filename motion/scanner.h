@@ -18,6 +18,9 @@ bool same_word(std::string_view a, std::string_view b);
 // A word of the text as a message shows it: in quotes, not too long.
 std::string quoted(std::string_view word);
 
+// "; did you mean 'OFFSET'?" for a word, whatever its case; nothing if none is near.
+std::string meant(std::string_view word, const std::vector<std::string>& names);
+
 // How a format parts its words. Biovision: a brace is a word of its own. Acclaim:
 // "#" starts a comment, and commas and parentheses are blanks.
 enum class Punctuation { biovision, acclaim };
@@ -50,12 +53,14 @@ class Scanner {
   std::size_t word_position() const { return word_at_; }
   bool full() const { return errors_ >= 20; }  // enough has been said
   bool failed() const { return errors_ > 0; }
-  [[noreturn]] void give_up();                     // throws InputError with all problems
-  [[noreturn]] void refuse(std::string message) {  // the same, with this one at the end
+  [[noreturn]] void give_up();  // throws InputError with all problems, by their places
+  [[noreturn]] void refuse(std::string message) {  // the same, with this one, too
     error(std::move(message));
     give_up();
   }
-  [[noreturn]] void refuse_next(const std::string& expected);  // "expected ..., found 'word'"
+  // "expected ..., found 'word'", and which of the names it was probably meant to be.
+  [[noreturn]] void refuse_next(const std::string& expected,
+                                const std::vector<std::string>& names = {});
   std::vector<Problem> warnings() const;
 
  private:

@@ -5,8 +5,10 @@
 #include <functional>
 
 #include "motion/cycle_search.h"
+#include "motion/foot_measures.h"
 #include "motion/foot_plant.h"
 #include "motion/load_clip.h"
+#include "motion/place.h"
 
 namespace promenade::motion {
 
@@ -16,23 +18,18 @@ struct SetOptions {
   int phases = 60;
   SearchOptions search;
   FigureOptions figure;
+  std::string recipe;    // the file that asks for takes and cycles, for messages; may be empty
   std::string skeleton;  // label of the take whose bones the set has; empty: the mean of all
   bool walk = true;      // false: every cycle is given, and feet stay as they are
   std::vector<double> key_phases = {0, 0.4, 0.5, 0.9, 1};
   bool keep_takes = false;  // for pictures: BuiltSet::takes
 };
 
-// Where somebody asked for something, for messages; no file: nowhere.
-struct Place {
-  std::string file;
-  int line = 0, column = 0;
-};
-
 // A cycle that somebody chose, in frames of the file: first, between, last.
 struct GivenCycle {
   std::string name;            // empty: the style and a number
   std::vector<double> frames;  // as many as the set has key phases
-  Place place = {};
+  Place place = {};            // in the recipe
 };
 
 // A capture to be read, and what it is called.
@@ -46,7 +43,7 @@ struct TakeSource {
   LoadOptions load = {};                // skeleton and frame rate of an .amc
   FigureOptions figure = {};            // where given, instead of the set's
   std::vector<GivenCycle> cycles = {};  // none: they are found
-  Place place = {};
+  Place place = {};                     // in the recipe
 };
 
 // A take as pictures show it.

@@ -4,11 +4,13 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/angles.h"
+
 namespace promenade::motion {
 namespace {
 
 // Rotations mean the same only where bones at rest point the same way.
-constexpr double most_rest_angle = 50 * M_PI / 180;
+constexpr double most_rest_angle = 50 * degree;
 
 const Joint& joint_of(const Skeleton& skeleton, int j) {
   return skeleton.joints[static_cast<std::size_t>(j)];

@@ -31,17 +31,18 @@ Cut cut_out(const Take& take, const CycleCandidate& cycle, const std::string& na
 }
 
 // What is wrong with a file, said at the place that asked for it.
-Problem asked_at(const Place& place, const TakeSource& source, const std::string& message) {
-  if (place.file.empty()) return {source.file, 0, 0, message, Severity::error};
-  return {place.file, place.line, place.column, source.label + " " + message, Severity::error};
+Problem asked_at(const std::string& recipe, const Place& place, const TakeSource& source,
+                 const std::string& message) {
+  if (place.line == 0) return {source.file, 0, 0, message, Severity::error};
+  return {recipe, place.line, place.column, source.label + " " + message, Severity::error};
 }
 
 // The frames of a take that the recipe wants.
-Take wanted_part(Take take, const TakeSource& source) {
+Take wanted_part(Take take, const TakeSource& source, const std::string& recipe) {
   const int last = take.frames() - 1;
   const int from = source.from.value_or(0), to = std::min(source.to.value_or(last), last);
   if (from > to) {
-    throw InputError({asked_at(source.place, source,
+    throw InputError({asked_at(recipe, source.place, source,
                                "has only " + std::to_string(take.frames()) +
                                    " frames, so none from frame " + std::to_string(from))});
   }
@@ -76,7 +77,7 @@ Take TakeLoader::read(const TakeSource& source) {
   for (const auto& list : {clip.warnings, figure.notes}) {
     built_.warnings.insert(built_.warnings.end(), list.begin(), list.end());
   }
-  Take take = wanted_part(make_take(clip, figure), source);
+  Take take = wanted_part(make_take(clip, figure), source, options_.recipe);
   if (!source.cycles.empty()) return take;
   return unrolled(std::move(take));
 }
@@ -100,7 +101,7 @@ void TakeLoader::follow(const Take& take, LoadedTake& loaded) {
     if (trouble.empty()) {
       loaded.cuts.push_back(cut_out(take, given_cycle(take, std::move(keys)), given.name));
     } else {
-      problems_.push_back(asked_at(given.place, loaded.source, trouble));
+      problems_.push_back(asked_at(options_.recipe, given.place, loaded.source, trouble));
     }
   }
   if (options_.keep_takes) record(take, find_contacts(take), {});

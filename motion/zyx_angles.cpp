@@ -2,13 +2,13 @@
 
 #include <cmath>
 
+#include "motion/angles.h"
+
 namespace promenade::motion {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-constexpr double degree = M_PI / 180;
 
 Matrix3d about(double degrees, const Vector3d& axis) {
   return Eigen::AngleAxisd(degrees * degree, axis).toRotationMatrix();

@@ -1,6 +1,9 @@
 #include "study/adjective_model.h"
 
 #include "motion/models/cluster_names.h"
+#include "motion/models/features.h"
+#include "motion/models/ridge.h"
+#include "motion/problem.h"
 #include "study/simulated_raters.h"
 
 namespace promenade::study {
@@ -50,6 +53,25 @@ std::optional<AdjectiveModel> builtin_adjective_model(
   auto table = simulated_ratings(set, raters);
   if (!table) return std::nullopt;
   return make_adjective_model(std::move(*table), describe(raters), options);
+}
+
+PredictedAdjectives predict_adjectives(const AdjectiveModel& model, const motion::MotionSet& rated,
+                                       const motion::MotionSet& others) {
+  const Eigen::MatrixXd& primary = model.quantification.primary;
+  if (rated.size() < 3 || primary.rows() == 0) {
+    throw InputError(model.source,
+                     "tells nothing about other motions: three rated motions and a "
+                     "pair of adjectives that is not dropped are needed");
+  }
+  const motion::Ridge ridge = motion::fit_ridge(motion::motion_features(rated), primary);
+  PredictedAdjectives result{model.names, Eigen::MatrixXd(primary.rows(), others.size()),
+                             ridge.error, model.source, model.simulated()};
+  for (int i = 0; i < others.size(); ++i) {
+    const motion::Cycle& cycle = others.cycles[static_cast<std::size_t>(i)];
+    result.primary.col(i) =
+        motion::predict(ridge, motion::motion_features(others, cycle)).cwiseMax(0.0).cwiseMin(1.0);
+  }
+  return result;
 }
 
 }  // namespace promenade::study

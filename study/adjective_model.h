@@ -31,4 +31,19 @@ AdjectiveModel make_adjective_model(RatingsTable table, const std::string& sourc
 std::optional<AdjectiveModel> builtin_adjective_model(const std::string& set,
                                                       const motion::QuantificationOptions& = {});
 
+// Adjectives of motions that nobody rated, told from their features by ridge regression
+// on motions that somebody did ([O] names it as future work).
+struct PredictedAdjectives {
+  std::vector<std::string> names;  // C, as the model's
+  Eigen::MatrixXd primary;         // C x N, 0 to 1
+  Eigen::VectorXd left_out_error;  // C: of rated motions when they are left out
+  std::string source;              // of the model
+  bool simulated = false;
+};
+
+// `rated` are the motions of the model. Throws InputError, at the model's source, with
+// fewer than three of them or when no pair of adjectives is left.
+PredictedAdjectives predict_adjectives(const AdjectiveModel& model, const motion::MotionSet& rated,
+                                       const motion::MotionSet& others);
+
 }  // namespace promenade::study

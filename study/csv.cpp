@@ -1,6 +1,8 @@
 #include "study/csv.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 
 namespace promenade::study {
 namespace {
@@ -14,12 +16,13 @@ class CsvReader {
 
   std::vector<CsvRow> rows() {
     while (at_ < text_.size()) {
-      CsvRow row{line_, {}};
+      CsvRow row{line_, {}, {}};
       do {
+        row.places.push_back({line_, column()});
         row.cells.push_back(cell());
       } while (take(','));
       take('\r');
-      if (take('\n')) ++line_;
+      if (take('\n')) begin_line();
       if (row.cells.size() > 1 || !row.cells[0].empty()) rows_.push_back(std::move(row));
     }
     return std::move(rows_);
@@ -30,6 +33,18 @@ class CsvReader {
     if (at_ >= text_.size() || text_[at_] != c) return false;
     ++at_;
     return true;
+  }
+  void begin_line() {
+    ++line_;
+    counted_at_ = at_;
+    column_ = 1;
+  }
+  // Of the next character. A byte 10xxxxxx begins none.
+  int column() {
+    for (; counted_at_ < at_; ++counted_at_) {
+      if ((static_cast<unsigned char>(text_[counted_at_]) & 0xC0U) != 0x80U) ++column_;
+    }
+    return column_;
   }
   std::string cell() {
     if (take('"')) return quoted();
@@ -50,8 +65,9 @@ class CsvReader {
         result += '"';
         continue;
       }
-      if (text_[at_] == '\n') ++line_;
-      result += text_[at_++];
+      const char letter = text_[at_++];
+      result += letter;
+      if (letter == '\n') begin_line();
     }
     // Letters behind the closing quote belong to the cell.
     const std::size_t end = std::min(text_.find_first_of(",\r\n", at_), text_.size());
@@ -62,12 +78,37 @@ class CsvReader {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  int line_ = 1;
+  std::size_t counted_at_ = 0;  // the character of column_
+  int line_ = 1, column_ = 1;
   std::vector<CsvRow> rows_;
 };
 
 }  // namespace
 
+Place CsvRow::place(std::size_t cell) const {
+  return places.empty() ? Place{line, 1} : places[std::min(cell, places.size() - 1)];
+}
+
 std::vector<CsvRow> parse_csv(std::string_view text) { return CsvReader(text).rows(); }
+
+std::string csv_cell(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"') result += '"';
+    result += c;
+  }
+  return result + '"';
+}
+
+std::optional<double> parse_number(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || !std::isfinite(value)) return {};
+  return value;
+}
 
 }  // namespace promenade::study

@@ -133,27 +133,29 @@ double automatic_threshold(const motion::MotionSpace& space, const Task& task) {
 }
 
 Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const Task& task,
-            int interface, const Target& target, int settings, int rounds) {
+            int interface, const Target& target, const ReachOptions& options) {
   assert(target.weights && "only a target motion can be reached");
   const motion::MotionSpace& space = bundle.space;
   const InterfaceUse& use = bundle.study.interfaces[static_cast<std::size_t>(interface)];
   Search search(space, *registry.find(use.type), use, *target.weights, task.distance);
   Reach result;
   result.start = start_distance(space, *target.weights, task.distance);
-  result.settings = settings;
+  result.settings = options.settings;
   result.best = INFINITY;
   std::unique_ptr<InterfaceState> best_state;
   int below = 0;
-  for (int i = 0; i < settings; ++i) {
+  for (int i = 0; i < options.settings; ++i) {
     std::unique_ptr<InterfaceState> state = search.wander();
     const double d = search.distance_of(*state);
-    below += task.threshold_m && d < *task.threshold_m;
+    below += d < options.threshold_m;
     if (d >= result.best) continue;
     result.best = d;
     best_state = std::move(state);
   }
-  if (best_state) result.best = search.descend(std::move(best_state), rounds);
-  if (settings > 0) result.share_below = static_cast<double>(below) / settings;
+  if (best_state) result.best = search.descend(std::move(best_state), options.rounds);
+  if (options.settings > 0) {
+    result.share_below = static_cast<double>(below) / options.settings;
+  }
   const DistancePoints wanted = points_of(space, *target.weights, task.distance);
   result.best_example = INFINITY;
   for (const DistancePoints& example : example_points(space, task.distance)) {

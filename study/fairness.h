@@ -35,8 +35,13 @@ struct Reach {
 };
 
 // Searches with what InterfaceType::simulate proposes: random settings first, then
-// always the best proposal until `rounds` rounds bring nothing. Deterministic.
+// always the best proposal until `rounds` rounds bring nothing. `share_below` is of the
+// threshold, metres. Deterministic.
+struct ReachOptions {
+  double threshold_m = 0;
+  int settings = 200, rounds = 40;
+};
 Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const Task& task,
-            int interface, const Target& target, int settings = 200, int rounds = 40);
+            int interface, const Target& target, const ReachOptions& options);
 
 }  // namespace promenade::study

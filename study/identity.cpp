@@ -1,10 +1,11 @@
-// Where the outside world comes in: the wall clock, random identities, hashes.
+#include "study/identity.h"
+
 #include <sodium.h>
 
 #include <array>
 #include <ctime>
 
-#include "study/store.h"
+#include "motion/problem.h"
 
 namespace promenade::study {
 namespace {

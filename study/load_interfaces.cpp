@@ -1,7 +1,7 @@
 // [[interface]]: the conditions of a study and the parameters of their types.
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {

@@ -9,9 +9,8 @@
 namespace promenade::study {
 
 motion::MotionSet load_motion_set(const std::string& name, const std::string& folder) {
-  constexpr std::string_view prefix = "builtin:";
-  if (name.rfind(prefix, 0) == 0) {
-    if (auto set = motion::builtin_set(name.substr(prefix.size()))) return std::move(*set);
+  if (const auto builtin = motion::builtin_name(name)) {
+    if (auto set = motion::builtin_set(*builtin)) return std::move(*set);
     throw InputError(name, "there is no such built-in motion set, only builtin:A, :B and :N");
   }
   const std::string file = (std::filesystem::path(folder) / name).string();

@@ -1,7 +1,8 @@
-// [study], [display], [[rating]] and the texts of a study's own.
+// [study], [display], [breaks], [[rating]] and the texts of a study's own.
 #include <algorithm>
+#include <cmath>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -122,6 +123,7 @@ void read_study_section(const TomlTable& root, Study& study) {
   if (root.has("study")) study.name = read_name(table);
   study.version = table.text("version").value_or(study.version);
   study.set = table.text("set").value_or(study.set);
+  study.ratings_file = table.text("ratings").value_or("");
   if (table.has("languages")) study.languages = read_language_list(table);
   study.seed = static_cast<std::uint64_t>(
       table.integer("seed", 0, largest_seed).value_or(static_cast<std::int64_t>(study.seed)));
@@ -142,6 +144,14 @@ void read_display(const TomlTable& root, Study& study) {
   const auto examples = table->choice("examples", {"none", "panel", "screen"});
   if (examples == "panel") display.examples = ExamplesWall::panel;
   if (examples == "screen") display.examples = ExamplesWall::screen;
+}
+
+void read_breaks(const TomlTable& root, Study& study) {
+  const auto table = root.table("breaks");
+  if (!table) return;
+  study.breaks.after_block = table->choice("after", {"none", "block"}) == "block";
+  const double least_s = table->number("least_s", 0, 3600).value_or(0);
+  study.breaks.least_us = static_cast<std::int64_t>(std::llround(1e6 * least_s));
 }
 
 std::vector<Rating> read_ratings(const TomlTable& root, const Study& study) {

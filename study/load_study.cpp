@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <utility>
 
+#include "motion/builtin.h"
 #include "motion/files.h"
 #include "motion/set_file.h"
 #include "study/adjective_model.h"
-#include "study/did_you_mean.h"
 #include "study/embedded.h"
-#include "study/store.h"
+#include "study/identity.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -44,15 +44,28 @@ std::optional<motion::MotionSet> read_set(const TomlTable& root, const std::stri
   }
 }
 
+// Or leaves it to the default; not where the line that did was left out.
+bool names_its_set(const TomlTable& root) {
+  const auto section = root.table("study");
+  return root.reader().whole() || (section && section->has("set"));
+}
+
 // Made once, and only when an interface asks.
 std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
-  constexpr std::string_view prefix = "builtin:";
-  const std::string& set = bundle.study.set;
-  if (bundle.adjectives || set.rfind(prefix, 0) != 0) return bundle.adjectives;
-  if (auto model = builtin_adjective_model(set.substr(prefix.size()))) {
+  const auto builtin = motion::builtin_name(bundle.study.set);
+  if (bundle.adjectives || !builtin) return bundle.adjectives;
+  if (auto model = builtin_adjective_model(*builtin)) {
     bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
   }
   return bundle.adjectives;
+}
+
+// What nobody may take for people's opinion.
+void warn_of_simulated_raters(const TomlTable& root, const StudyBundle& bundle) {
+  if (!bundle.adjectives || !bundle.adjectives->simulated()) return;
+  const TomlTable section = root.table("study").value_or(root);
+  section.warning(section.has("ratings") ? "ratings" : "set",
+                  "the adjectives come from simulated raters (" + bundle.adjectives->source + ")");
 }
 
 void put(std::string& bytes, std::string_view part) {
@@ -71,6 +84,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   std::string bytes;
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
+  if (!bundle.ratings_sha256.empty()) put(bytes, bundle.ratings_sha256);
   for (const std::string& language : bundle.study.languages) {
     const Texts texts = load_texts(language);
     for (const std::string& key : texts.keys()) {
@@ -90,19 +104,27 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
                        const SetLoader& load_set) {
   TomlReader reader(file, text);
-  if (!reader.ok()) reader.finish();
+  if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
   StudyBundle bundle;
   Study& study = bundle.study;
   read_study_section(root, study);
   read_display(root, study);
-  std::optional<motion::MotionSet> set = read_set(root, study.set, load_set);
+  read_breaks(root, study);
+  std::optional<motion::MotionSet> set;
+  if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);
+    read_ratings_file(root, bundle);
   }
-  const InterfaceResources resources{bundle.space, [&bundle] { return adjectives_of(bundle); }};
+  bool asked = false;
+  const InterfaceResources resources{bundle.space, [&bundle, &asked] {
+                                       asked = true;
+                                       return adjectives_of(bundle);
+                                     }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
+  if (asked) warn_of_simulated_raters(root, bundle);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
   study.ratings = read_ratings(root, study);
   bundle.warnings = reader.finish();

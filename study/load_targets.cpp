@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -46,23 +46,23 @@ bool add_walk(const TomlTable& table, std::string_view key, const std::string& n
 std::optional<Eigen::VectorXd> read_weights(const TomlTable& target, const StudyContext& context) {
   const auto table = target.table("weights");
   if (!table) return std::nullopt;
-  bool whole = true;
+  bool numbers = true, known = true;
   double sum = 0;
   Eigen::VectorXd weights =
       context.space ? Eigen::VectorXd::Zero(context.space->set.size()) : Eigen::VectorXd::Zero(1);
   for (const std::string& name : table->keys()) {
     const auto share = table->number(name, -largest_weight, largest_weight);
-    whole = whole && share;
+    numbers = numbers && share;
     sum += share.value_or(0);
     if (!share || !context.space) continue;
-    whole = add_walk(*table, name, name, *share, context.space->set, weights) && whole;
+    known = add_walk(*table, name, name, *share, context.space->set, weights) && known;
   }
-  if (!whole) return std::nullopt;
-  if (std::abs(sum - 1) > sum_tolerance) {
+  if (numbers && std::abs(sum - 1) > sum_tolerance) {
     target.error("weights", fmt::format("the weights sum to {}, but must sum to 1", sum));
     return std::nullopt;
   }
-  return context.space ? std::optional<Eigen::VectorXd>(weights / sum) : std::nullopt;
+  if (!numbers || !known || !context.space) return std::nullopt;
+  return weights / sum;
 }
 
 std::optional<Eigen::VectorXd> read_example(const TomlTable& target, const StudyContext& context) {
@@ -75,6 +75,7 @@ std::optional<Eigen::VectorXd> read_example(const TomlTable& target, const Study
 
 Target read_target(const TomlTable& table, const StudyContext& context) {
   Target target;
+  target.place = table.place();
   const bool example = table.has("example");
   target.name = table.text("name").value_or("");
   target.weights = read_example(table, context);

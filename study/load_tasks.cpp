@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/fairness.h"
 #include "study/study_parts.h"
 
@@ -32,6 +32,7 @@ std::vector<int> read_interface_list(const TomlTable& table, const Study& study)
   for (const TomlText& entry : entries) {
     const auto found = std::find(names.begin(), names.end(), entry.text);
     const int index = static_cast<int>(found - names.begin());
+    if (found == names.end() && !table.reader().whole()) continue;  // it may have had the name
     if (found == names.end()) {
       table.reader().add(entry.place, "there is no [[interface]] with the name \"" + entry.text +
                                           "\"" + did_you_mean(entry.text, names));
@@ -107,11 +108,15 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   task.blind = table.boolean("blind").value_or(false);
   task.playback = table.boolean("playback").value_or(false);
   task.interfaces = read_interface_list(table, context.study);
-  task.kind = kind == "find" ? TaskKind::find : TaskKind::match;
-  if (kind == "match") read_match(table, context, task);
-  if (kind == "find") read_find(table, context, task);
-  if (!kind) {  // which keys belong here is not known
-    for (const char* key : {"targets", "practice", "qualities"}) table.tables(key);
+  // Without a kind the other keys tell: what is wrong with them is said all the same.
+  const bool find = kind ? *kind == "find" : table.has("qualities");
+  task.kind = find ? TaskKind::find : TaskKind::match;
+  if (find) {
+    read_find(table, context, task);
+  } else if (kind || table.has("targets")) {
+    read_match(table, context, task);
+  } else {
+    table.tables("practice");
     for (const char* key : {"threshold", "dwell_ms", "distance"}) table.scalar(key);
   }
   return task;

@@ -77,6 +77,8 @@ void add_pages(const Study& study, Plan& plan) {
     const PlannedTrial& trial = plan.trials[i];
     const int index = static_cast<int>(i);
     const bool opens = trial.block != block;
+    if (opens && block > 0 && study.breaks.after_block)
+      plan.pages.push_back({PageKind::break_, -1});
     plan.pages.push_back({opens ? PageKind::instructions : PageKind::intro, index});
     plan.pages.push_back({PageKind::trial, index});
     if (!trial.practice && !study.ratings.empty()) plan.pages.push_back({PageKind::rating, index});
@@ -89,6 +91,8 @@ void add_pages(const Study& study, Plan& plan) {
 
 std::string_view to_text(PageKind kind) {
   switch (kind) {
+    case PageKind::language:
+      return "language";
     case PageKind::welcome:
       return "welcome";
     case PageKind::consent:
@@ -101,6 +105,8 @@ std::string_view to_text(PageKind kind) {
       return "trial";
     case PageKind::rating:
       return "rating";
+    case PageKind::break_:
+      return "break";
     case PageKind::thanks:
       return "thanks";
     case PageKind::declined:

@@ -7,7 +7,7 @@
 // each block, by (study seed, sequence, "order"); order = "fixed" keeps everything
 // as in the file. A block opens with its instructions, every later trial with a
 // short introduction, so that no clock starts unasked; ratings follow each trial
-// that counts.
+// that counts, and a break each block but the last where the study asks for it.
 #pragma once
 
 #include "study/study.h"
@@ -23,7 +23,19 @@ struct PlannedTrial {
   int target = 0;     // index into Task::targets, or Task::practice
 };
 
-enum class PageKind { welcome, consent, instructions, intro, trial, rating, thanks, declined };
+// Outside the plan: the choice of a language, before it, and the page after Decline.
+enum class PageKind {
+  language,
+  welcome,
+  consent,
+  instructions,
+  intro,
+  trial,
+  rating,
+  break_,
+  thanks,
+  declined
+};
 
 // One screen of a session, in the order shown.
 struct Page {

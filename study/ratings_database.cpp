@@ -69,12 +69,6 @@ std::optional<motion::MotionSet> set_in(Database& database) {
   return motion::from_bytes(row.blob(0), database.file());
 }
 
-std::vector<std::string> names_of(const motion::MotionSet& set) {
-  std::vector<std::string> names;
-  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle.name);
-  return names;
-}
-
 // Motions that were rated but are not in the set.
 std::vector<std::string> strangers(const motion::MotionSet& set,
                                    const std::vector<NamedRating>& ratings) {

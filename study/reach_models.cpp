@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "motion/builtin.h"
 #include "study/map_options.h"
 #include "study/rng.h"
 
@@ -24,20 +25,18 @@ motion::DistancePoints points_of(const motion::PoseBank& bank, const VectorXd& w
 }
 
 std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
-  constexpr std::string_view prefix = "builtin:";
-  const std::string& set = bundle.study.set;
-  if (set.rfind(prefix, 0) != 0) return std::nullopt;
-  return builtin_adjective_model(set.substr(prefix.size()));
-}
-
-std::vector<std::string> names_of(const motion::MotionSet& set) {
-  std::vector<std::string> names;
-  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle.name);
-  return names;
+  if (bundle.adjectives) return *bundle.adjectives;
+  const auto builtin = motion::builtin_name(bundle.study.set);
+  return builtin ? builtin_adjective_model(*builtin) : std::nullopt;
 }
 
 // The sliders of the adjectives, or why there are none.
 void add_adjectives(const motion::MotionSet& set, ReachModels& models) {
+  if (models.predicted) {
+    models.maps.push_back(
+        motion::slider_controls("adjectives", models.predicted->names, models.predicted->primary));
+    return;
+  }
   const auto& model = models.adjectives;
   const auto refuse = [&](const char* reason) { models.missing.push_back({"adjectives", reason}); };
   if (!model) return refuse("nobody has rated the motions of this set");
@@ -61,13 +60,10 @@ void add_features(const motion::MotionSet& set, ReachModels& models) {
   models.maps.push_back(motion::slider_controls("features", sliders.names, sliders.parameters));
 }
 
-}  // namespace
-
-ReachModels make_reach_models(const StudyBundle& bundle, std::optional<AdjectiveModel> adjectives) {
+// Everything about the motions, behind what is known of their adjectives.
+ReachModels completed(const StudyBundle& bundle, ReachModels models) {
   const motion::MotionSet& set = bundle.space.set;
-  ReachModels models;
   models.bank = bundle.bank;
-  models.adjectives = adjectives ? std::move(adjectives) : default_adjectives(bundle);
   add_adjectives(set, models);
   add_features(set, models);
   models.maps.push_back(motion::label_controls(set));
@@ -78,6 +74,20 @@ ReachModels make_reach_models(const StudyBundle& bundle, std::optional<Adjective
   }
   models.maps.push_back(motion::weight_controls(set));
   return models;
+}
+
+}  // namespace
+
+ReachModels make_reach_models(const StudyBundle& bundle, std::optional<AdjectiveModel> adjectives) {
+  ReachModels models;
+  models.adjectives = adjectives ? std::move(adjectives) : default_adjectives(bundle);
+  return completed(bundle, std::move(models));
+}
+
+ReachModels make_reach_models(const StudyBundle& bundle, PredictedAdjectives predicted) {
+  ReachModels models;
+  models.predicted = std::move(predicted);
+  return completed(bundle, std::move(models));
 }
 
 const motion::ControlMap* find_map(const ReachModels& models, std::string_view type) {

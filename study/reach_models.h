@@ -11,8 +11,9 @@ namespace promenade::study {
 // Everything that the targets of one motion set share: made once, never changed.
 struct ReachModels {
   motion::PoseBank bank;
-  std::vector<motion::ControlMap> maps;      // adjectives, features, labels, map, weights
-  std::optional<AdjectiveModel> adjectives;  // behind the map of this name
+  std::vector<motion::ControlMap> maps;          // adjectives, features, labels, map, weights
+  std::optional<AdjectiveModel> adjectives;      // behind the map of this name
+  std::optional<PredictedAdjectives> predicted;  // or these, where they were given
   struct Missing {
     std::string name, reason;
   };
@@ -22,6 +23,8 @@ struct ReachModels {
 // Without a model of its own a built-in set gets that of its simulated raters.
 ReachModels make_reach_models(const StudyBundle& bundle,
                               std::optional<AdjectiveModel> adjectives = std::nullopt);
+// The same with adjectives that were told from the features of the bundle's motions.
+ReachModels make_reach_models(const StudyBundle& bundle, PredictedAdjectives predicted);
 
 // By the type of an interface; null: none.
 const motion::ControlMap* find_map(const ReachModels& models, std::string_view type);

@@ -1,12 +1,12 @@
 #include "study/recipe.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
+#include "motion/angles.h"
 #include "motion/files.h"
+#include "study/identity.h"
 #include "study/recipe_cuts.h"
-#include "study/store.h"
 #include "study/toml_reader.h"
 
 namespace promenade::study {
@@ -14,15 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 using motion::GivenCycle;
-using motion::Place;
 using motion::TakeSource;
 
 constexpr double most_frame = 1e9;
 constexpr std::size_t walk_keys = 5;
-
-Place place_of(const TomlTable& table) {
-  return {table.reader().file(), table.place().line, table.place().column};
-}
 
 motion::FigureOptions read_figure(const TomlTable& table) {
   motion::FigureOptions figure;
@@ -48,7 +43,7 @@ motion::LoadOptions read_load(const TomlTable& table, const fs::path& folder) {
 // first, keytimes, last of one [[take.cycle]].
 GivenCycle read_cycle(const TomlTable& table) {
   GivenCycle cycle;
-  cycle.place = place_of(table);
+  cycle.place = table.place();
   cycle.name = table.text("name").value_or("");
   table.require("first");
   table.require("last");
@@ -80,18 +75,25 @@ void read_frames(const TomlTable& table, TakeSource& take) {
   }
 }
 
+// What a [[take]] says of itself, whatever there is on disk.
+TakeSource read_own(const TomlTable& table) {
+  TakeSource own;
+  own.figure = read_figure(table);
+  own.load.rate = table.number("frames_per_second", 1, 1000);
+  read_frames(table, own);
+  for (const TomlTable& cycle : table.tables("cycle")) own.cycles.push_back(read_cycle(cycle));
+  return own;
+}
+
 // One [[take]]: a file that `files` found, or another one.
 void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
                std::vector<std::string>& named) {
   const std::string file = table.required_text("file");
   const auto style = table.text("style");
-  TakeSource own;
-  own.figure = read_figure(table);
+  TakeSource own = read_own(table);
   own.load = read_load(table, folder);
-  read_frames(table, own);
-  for (const TomlTable& cycle : table.tables("cycle")) own.cycles.push_back(read_cycle(cycle));
   if (file.empty()) return;
-  own.place = place_of(table);
+  own.place = table.place();
   own.label = fs::path(file).lexically_normal().generic_string();
   own.file = (folder / file).lexically_normal().string();
   if (std::find(named.begin(), named.end(), own.label) != named.end()) {
@@ -140,18 +142,29 @@ void find_takes(const TomlTable& root, const fs::path& folder, const std::string
   }
 }
 
-// Keys that mean nothing without a folder or files are known all the same.
+// Keys that mean nothing without a folder or files are known all the same, and what is
+// wrong with them is said.
 void know_the_rest(const TomlTable& root) {
   root.texts("without");
-  root.table("cuts");
   root.text("asf");
   root.number("frames_per_second", 1, 1000);
+  for (const TomlTable& take : root.tables("take")) {
+    read_own(take);
+    take.required_text("file");
+    for (const char* key : {"style", "asf"}) take.text(key);
+  }
+  if (const auto cuts = root.table("cuts")) {
+    for (const char* key : {"file", "style", "from", "to"}) cuts->required_text(key);
+  }
 }
 
 void read_takes(const TomlTable& root, const fs::path& folder, Recipe& recipe) {
   const auto files = root.text("files");
   const std::vector<TomlTable> tables = root.tables("take");
   std::error_code error;
+  if (!root.reader().whole()) {  // what was left out may be the folder, or half of the takes
+    return know_the_rest(root);
+  }
   if (!fs::is_directory(folder, error)) {
     root.error("folder",
                "there is no folder " + folder.string() + "; give another one with --folder DIR");
@@ -210,7 +223,7 @@ void check_cycles(const TomlTable& root, const Recipe& recipe) {
                                   " needs a [[take.cycle]]: cycles of other motions than walks "
                                   "cannot be found";
       if (take.place.line > 0) {
-        root.reader().add({take.place.line, take.place.column}, message);
+        root.reader().add(take.place, message);
       } else {
         root.error("files", message);
       }
@@ -218,7 +231,7 @@ void check_cycles(const TomlTable& root, const Recipe& recipe) {
     for (const GivenCycle& cycle : take.cycles) {
       if (cycle.frames.size() == keys) continue;
       root.reader().add(
-          {cycle.place.line, cycle.place.column},
+          cycle.place,
           "the cycle needs " + std::to_string(keys - 2) + " keytimes between first and last" +
               (recipe.options.walk ? ": right foot on, left off, left on" : " as the others have"));
     }
@@ -238,7 +251,7 @@ void read_options(const TomlTable& root, motion::SetOptions& options) {
   options.cycles_per_take = static_cast<int>(root.integer("cycles_per_take", 1, 20).value_or(1));
   options.search.most_loop_error_m = root.number("most_loop_error_m", 0, 1).value_or(0.15);
   if (const auto degrees = root.number("most_turn_deg", 0, 180)) {
-    options.search.most_turn = *degrees * M_PI / 180;
+    options.search.most_turn = *degrees * motion::pi / 180;
   }
   options.figure = read_figure(root);
   options.walk = root.choice("motion", {"walk", "other"}).value_or("walk") == "walk";
@@ -251,6 +264,7 @@ Recipe load_recipe(const std::string& file, const std::string& folder) {
   TomlReader reader(file, text);
   const TomlTable root = reader.root();
   Recipe recipe;
+  recipe.options.recipe = file;
   recipe.options.name = root.required_text("name");
   recipe.options.credit = root.required_text("credit");
   const std::string own_folder = root.required_text("folder");

@@ -36,11 +36,14 @@ std::size_t find_column(const TomlTable& cuts, std::string_view key, const CsvRo
   return static_cast<std::size_t>(found - head.cells.begin());
 }
 
+// A problem at the cells that are wrong.
 void apply_row(const CsvRow& row, const Columns& columns, const std::string& file,
                motion::TakeSource& take, std::vector<Problem>& problems) {
   const auto from = frame_of(row, columns.from), to = frame_of(row, columns.to);
-  if (!from || !to || *from >= *to) {
-    problems.push_back({file, row.line, 0,
+  const bool ok = from && to && *from < *to;
+  if (!ok) {
+    const Place place = row.place(from ? columns.to : columns.from);
+    problems.push_back({file, place.line, place.column,
                         "does not say from which to which frame " + take.label + " is good",
                         Severity::error});
     return;

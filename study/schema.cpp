@@ -1,6 +1,10 @@
 #include "study/schema.h"
 
 #include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
 
 #include "study/sqlite.h"
 
@@ -35,7 +39,8 @@ CREATE TABLE trial(
   threshold_m REAL, started_us INTEGER NOT NULL, ended_us INTEGER,
   outcome TEXT CHECK (outcome IN ('success','timeout','done','skipped','aborted')),
   d_first REAL, d_best REAL, d_final REAL, d_sum REAL, seconds_difference REAL,
-  first_below_us INTEGER, clicks INTEGER, changes INTEGER, late_frames INTEGER
+  first_below_us INTEGER, paused_us INTEGER, clicks INTEGER, changes INTEGER,
+  late_frames INTEGER
 ) STRICT;
 CREATE TABLE event(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
@@ -117,6 +122,8 @@ constexpr auto meanings = std::to_array<Meaning>({
      "duration of the created cycle minus the target's at the end"},
     {"trial", "first_below_us", "us",
      "first time D was below the threshold, since the session began"},
+    {"trial", "paused_us", "us",
+     "how long the trial stood still in pauses; part of ended_us - started_us, not of limit_s"},
     {"trial", "clicks", "", "presses of a mouse button during the trial"},
     {"trial", "changes", "", "changes of the controls by the participant"},
     {"trial", "late_frames", "", "frames shown more than half a frame late"},
@@ -159,6 +166,30 @@ std::int64_t pragma(Database& database, const char* name) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
+std::uint64_t number_in(std::string_view bytes) {  // big-endian
+  std::uint64_t number = 0;
+  for (const char byte : bytes) number = number << 8U | static_cast<unsigned char>(byte);
+  return number;
+}
+
+// A file of SQLite that is shorter than its first bytes say (https://sqlite.org/fileformat.html).
+bool is_cut(const std::string& file) {
+  constexpr std::string_view magic = "SQLite format 3";
+  std::string head(100, '\0');
+  std::ifstream(file, std::ios::binary)
+      .read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (head.compare(0, magic.size(), magic) != 0) return false;
+  const std::string_view bytes = head;
+  const std::uint64_t page = number_in(bytes.substr(16, 2));  // 1: 65536
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error || size < 512 || size < (page == 1 ? 65536 : page) * number_in(bytes.substr(28, 4));
+}
+
+[[noreturn]] void refuse_stranger(const std::string& file, const char* reason) {
+  throw InputError(file, is_cut(file) ? damaged_database : reason);
+}
+
 }  // namespace
 
 void create_tables(Database& database) {
@@ -178,11 +209,11 @@ void check_database(Database& database) {
     id = pragma(database, "application_id");
     version = pragma(database, "user_version");
   } catch (const DatabaseError&) {
-    throw InputError(database.file(), "is not a database; name the .db file of a study");
+    refuse_stranger(database.file(), "is not a database; name the .db file of a study");
   }
   if (id != application_id) {
-    throw InputError(database.file(),
-                     "is not a database of Promenade; name the .db file of a study");
+    refuse_stranger(database.file(),
+                    "is not a database of Promenade; name the .db file of a study");
   }
   if (version > schema_version) {
     throw InputError(database.file(), "was made by a newer Promenade (its tables are version " +

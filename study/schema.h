@@ -11,6 +11,10 @@ class Database;
 inline constexpr int application_id = 0x50524d44;  // "PRMD"
 inline constexpr int schema_version = 1;           // PRAGMA user_version
 
+// What is said of a file that was a database once.
+inline constexpr const char* damaged_database =
+    "is damaged (cut off or overwritten); use a copy of it, or recover it with sqlite3's .recover";
+
 // Makes all tables in an empty database and fills `dictionary`. The transaction is
 // the caller's.
 void create_tables(Database& database);

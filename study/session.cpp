@@ -1,5 +1,6 @@
 #include "study/session.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -52,8 +53,12 @@ std::string_view to_text(TrialOutcome outcome) {
   return "";
 }
 
-Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan)
-    : bundle_(&bundle), registry_(&registry), plan_(std::move(plan)) {
+Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan,
+                 bool asks_language)
+    : bundle_(&bundle),
+      registry_(&registry),
+      plan_(std::move(plan)),
+      asks_language_(asks_language) {
   assert(!plan_.pages.empty() && plan_.pages[0].kind != PageKind::trial &&
          "a session begins with a page that waits");
 }
@@ -68,23 +73,35 @@ void Session::change_sequence(int sequence) {
 
 const Page& Session::page() const {
   static const Page declined{PageKind::declined, -1};
+  static const Page language{PageKind::language, -1};
+  if (asks_language_) return language;
   return declined_ ? declined : plan_.pages[page_];
 }
 
 const TrialState* Session::trial() const { return trial_ ? &*trial_ : nullptr; }
 
 bool Session::can_continue() const {
-  if (ended() || page().kind == PageKind::trial) return false;
+  const PageKind kind = page().kind;
+  if (ended() || kind == PageKind::trial || kind == PageKind::language) return false;
+  if (break_left_us() > 0) return false;
   for (const std::optional<double>& answer : answers_) {
     if (!answer) return false;
   }
   return true;
 }
 
+std::int64_t Session::break_left_us() const {
+  if (page().kind != PageKind::break_) return 0;
+  return std::max<std::int64_t>(0, opened_us_ + bundle_->study.breaks.least_us - now_us_);
+}
+
 std::vector<Record> Session::step(const Input& input) {
   if (ended()) return {};
+  now_us_ = input.t_us;
   Steps steps{*this, input};
   steps.begin();
+  if (steps.stands()) return std::move(steps.records);
+  steps.wake();
   steps.pass_deadlines(input.t_us);
   std::visit([&](const auto& action) { steps.act(action); }, input.action);
   steps.pass_deadlines(input.t_us);  // a dwell time of 0 has passed at once
@@ -120,7 +137,9 @@ void Session::Steps::open_page(std::int64_t t_us) {
   const Page& page = session.page();
   Event& event = log_system("page", t_us);
   event.target = to_text(page.kind);
-  if (!session.declined_) event.value = static_cast<double>(session.page_);
+  const bool planned = page.kind != PageKind::declined && page.kind != PageKind::language;
+  if (planned) event.value = static_cast<double>(session.page_);
+  session.opened_us_ = t_us;
   const bool rated = page.kind == PageKind::rating;
   session.answers_.assign(rated ? session.bundle_->study.ratings.size() : 0, std::nullopt);
   session.answered_us_.assign(session.answers_.size(), 0);
@@ -128,6 +147,7 @@ void Session::Steps::open_page(std::int64_t t_us) {
 }
 
 void Session::Steps::next_page(std::int64_t t_us) {
+  if (session.page().kind != PageKind::trial) session.just_ended_.reset();
   if (session.declined_) return end(t_us, Outcome::declined);
   if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
   ++session.page_;
@@ -152,6 +172,16 @@ void Session::Steps::emit_answers() {
     answer.value = session.answers_[i];
     records.emplace_back(std::move(answer));
   }
+}
+
+void Session::Steps::act(const ChooseLanguage& choice) {
+  const std::vector<std::string>& offered = session.bundle_->study.languages;
+  const bool known = std::find(offered.begin(), offered.end(), choice.language) != offered.end();
+  if (!session.asks_language_ || !known) return;
+  log("language").target = choice.language;
+  session.language_ = choice.language;
+  session.asks_language_ = false;
+  open_page(input.t_us);
 }
 
 void Session::Steps::act(const Continue&) {

@@ -25,9 +25,14 @@ std::string_view to_text(Outcome outcome);
 std::string_view to_text(TrialOutcome outcome);
 
 // What can happen to a session.
-struct Tick {};       // time passed
+struct Tick {};  // time passed
+struct ChooseLanguage {
+  std::string language;
+};
 struct Continue {};   // the page's main button
 struct Decline {};    // no consent
+struct Pause {};      // everything stands still
+struct Resume {};     // and goes on
 struct Press {};      // a mouse button went down: Input::x, y in pixels
 struct Done {};       // the participant ends the trial
 struct StartOver {};  // back to the state in which the trial began
@@ -62,16 +67,17 @@ struct Input {
   std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
-  std::variant<Tick, Continue, Decline, Press, Done, StartOver, Undo, Redo, Control, SetAnswer,
-               Camera, Playback, LateFrame, Stop>
+  std::variant<Tick, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver, Undo,
+               Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop>
       action;
 };
 
 // What is logged: one for each row of the database, in order. Kinds of events:
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
-// begins from the common start), "continue", "continue_refused", "decline", "press",
-// "done", "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame",
-// "stop"; and what was done to a control under the interface's own word, with
+// begins from the common start), "language" (target: the one chosen), "continue",
+// "continue_refused", "decline", "pause", "resume", "press", "done", "start_over", "undo",
+// "redo", "answer", "camera", "playback", "late_frame", "stop"; and what was done to a control
+// under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
 // {"first": true}, the first time that a control was touched in a trial, {"text": ...},
 // what was typed, and in the detail of "start" the controls as the system set them.
@@ -108,6 +114,7 @@ struct TrialEnded {
   TrialOutcome outcome = TrialOutcome::done;
   std::optional<double> d_best, d_final, d_sum, seconds_difference;
   std::optional<std::int64_t> first_below_us;
+  std::int64_t paused_us = 0;  // how long it stood; not part of its limit
   int clicks = 0, changes = 0, late_frames = 0;
 };
 struct SessionEnded {
@@ -128,6 +135,12 @@ struct History {
   std::int64_t last_us = 0;
 };
 
+// How a trial ended, for the page after it.
+struct LastTrial {
+  int trial = 0;  // index into Plan::trials
+  TrialOutcome outcome = TrialOutcome::done;
+};
+
 // The running trial, for the screen.
 struct TrialState {
   int index = 0;  // into Plan::trials
@@ -145,17 +158,23 @@ struct TrialState {
   std::optional<double> d;                              // of what is shown
   std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
   TrialEnded summary;                                   // filled as it goes
+
+  // The time that the controls know: it stands while the trial is paused.
+  std::int64_t control_us(std::int64_t t_us) const { return t_us - summary.paused_us; }
 };
 
 class Session {
  public:
-  // Both outlive the session. The first page is open when it returns.
-  Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan);
+  // Both outlive the session. The first page is open when it returns: the choice of a
+  // language, or that of the plan.
+  Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan,
+          bool asks_language = false);
   Session(Session&&) noexcept;
   ~Session();
 
   // Time limits and dwell times that passed before the input come first, stamped
-  // with their own time. Records are returned in the order of their times.
+  // with their own time. Records are returned in the order of their times. While it is
+  // paused only Resume and Stop do anything, and no deadline comes nearer.
   std::vector<Record> step(const Input& input);
 
   // Another order, while nothing but the first page has been shown.
@@ -168,7 +187,14 @@ class Session {
   bool ended() const { return outcome_ != Outcome::running; }
   // Answers given on this rating page so far; Continue needs all of them.
   const std::vector<std::optional<double>>& answers() const { return answers_; }
+  // Now, which is the time of the last input.
   bool can_continue() const;
+  // How long a break has to last from now on; 0 on other pages.
+  std::int64_t break_left_us() const;
+  bool paused() const { return paused_since_us_.has_value(); }
+  const std::string& language() const { return language_; }  // chosen; empty: nobody was asked
+  // The trial that this page follows, unless it was blind; nothing elsewhere.
+  const std::optional<LastTrial>& just_ended() const { return just_ended_; }
 
  private:
   struct Steps;  // what each action does: session_steps.h
@@ -182,6 +208,11 @@ class Session {
   std::vector<std::int64_t> answered_us_;  // when each was given
   bool begun_ = false;                     // the first page has been logged
   bool declined_ = false;                  // the page that follows Decline is shown
+  bool asks_language_ = false;             // the page before the plan is shown
+  std::string language_;
+  std::int64_t now_us_ = 0, opened_us_ = 0;  // of the last input; of the page
+  std::optional<std::int64_t> paused_since_us_;
+  std::optional<LastTrial> just_ended_;
 };
 
 }  // namespace promenade::study

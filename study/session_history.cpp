@@ -46,7 +46,7 @@ void Session::Steps::step_back(const char* kind, std::vector<History::Step>& fro
   from.pop_back();
   end_gesture();
   if (trial.touched) {
-    trial.interface->weights(input.t_us, trial.weights);
+    trial.interface->weights(trial.control_us(input.t_us), trial.weights);
   } else {
     trial.weights = start_weights(session.bundle_->space);
   }

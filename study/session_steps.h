@@ -28,6 +28,7 @@ struct Session::Steps {
 
   // One for each action.
   void act(const Tick&);
+  void act(const ChooseLanguage& choice);
   void act(const Continue&);
   void act(const Decline&);
   void act(const Press&);
@@ -41,6 +42,12 @@ struct Session::Steps {
   void act(const Playback& playback);
   void act(const LateFrame& late);
   void act(const Stop& stop);
+
+  // session_pause.cpp
+  void act(const Pause&);
+  void act(const Resume&);
+  bool stands() const;  // paused, and the input is none that ends it
+  void wake();          // ends the pause, if there is one
 
   // session_history.cpp: what undo takes back
   std::unique_ptr<InterfaceState> before_gesture(const ControlInput& next) const;

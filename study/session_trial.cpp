@@ -121,6 +121,7 @@ void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
   TrialEnded ended = session.trial_->summary;
   ended.t_us = t_us;
   ended.outcome = outcome;
+  if (!task().blind) session.just_ended_ = {session.trial_->index, outcome};
   session.trial_.reset();
   records.emplace_back(ended);
 }
@@ -134,7 +135,8 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
     const std::int64_t won = ends_itself ? *trial.below_since_us + task().dwell_us : never;
     const std::optional<double>& limit = task().limit_s;
     const std::int64_t over =
-        limit ? trial.started_us + static_cast<std::int64_t>(*limit * 1e6) : never;
+        limit ? trial.started_us + trial.summary.paused_us + static_cast<std::int64_t>(*limit * 1e6)
+              : never;
     if (std::min(won, over) > t_us) return;
     end_trial(std::min(won, over), won <= over ? TrialOutcome::success : TrialOutcome::timeout);
     next_page(std::min(won, over));
@@ -144,7 +146,7 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
 void Session::Steps::act(const Tick&) {
   if (!session.trial_ || !session.trial_->touched) return;
   TrialState& trial = *session.trial_;
-  trial.interface->weights(input.t_us, trial.next);
+  trial.interface->weights(trial.control_us(input.t_us), trial.next);
   if (trial.next == trial.weights) return;
   trial.weights.swap(trial.next);
   show(trial, input.t_us, false);
@@ -179,7 +181,7 @@ void Session::Steps::act(const Control& control) {
   if (!session.trial_) return;
   TrialState& trial = *session.trial_;
   ControlInput change = control.input;
-  change.t_us = input.t_us;
+  change.t_us = trial.control_us(input.t_us);
   std::unique_ptr<InterfaceState> before = before_gesture(change);
   const Applied applied = trial.interface->apply(change);
   Event& event = log(change.kind.c_str());
@@ -193,7 +195,7 @@ void Session::Steps::act(const Control& control) {
   if (applied != Applied::done) return;
   remember(change, std::move(before), trial.touched);
   if (input.actor == Actor::participant) ++trial.summary.changes;
-  trial.interface->weights(input.t_us, trial.next);
+  trial.interface->weights(change.t_us, trial.next);
   // The first touch counts even where it shows the start: from now on it can win.
   const bool shows = !trial.touched || trial.next != trial.weights;
   trial.touched = true;

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <thread>
 
+#include "study/identity.h"
+
 namespace promenade::study {
 namespace {
 
@@ -15,7 +17,8 @@ constexpr std::int64_t longest_session_us = 24LL * 3600 * 1'000'000;
 bool by_hand(const decltype(Input::action)& action) {
   return std::holds_alternative<Control>(action) || std::holds_alternative<Done>(action) ||
          std::holds_alternative<StartOver>(action) || std::holds_alternative<Continue>(action) ||
-         std::holds_alternative<SetAnswer>(action);
+         std::holds_alternative<SetAnswer>(action) ||
+         std::holds_alternative<ChooseLanguage>(action) || std::holds_alternative<Resume>(action);
 }
 
 // Work that several threads do out of order and one takes in order, never more than

@@ -59,11 +59,14 @@ Intention SimulatedParticipant::after(double mean_s, decltype(Input::action) act
 }
 
 Intention SimulatedParticipant::next(const Session& session) {
+  if (session.paused()) return after(person_.think_s, Resume{});
   switch (session.page().kind) {
     case PageKind::trial:
       return at_trial(session);
     case PageKind::rating:
       return at_rating(session);
+    case PageKind::language:
+      return after(3, ChooseLanguage{bundle_->study.languages.front()});
     default:
       return at_page(session);
   }
@@ -72,7 +75,9 @@ Intention SimulatedParticipant::next(const Session& session) {
 Intention SimulatedParticipant::at_page(const Session& session) {
   const bool to_read =
       session.page().kind == PageKind::consent || session.page().kind == PageKind::instructions;
-  return after(to_read ? 12 : 3, Continue{});
+  Intention next = after(to_read ? 12 : 3, Continue{});
+  next.wait_us += session.break_left_us();
+  return next;
 }
 
 Intention SimulatedParticipant::at_rating(const Session& session) {

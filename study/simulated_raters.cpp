@@ -98,8 +98,6 @@ void rate(const std::vector<StyleCharacter>& walks, const RaterOptions& options,
   }
 }
 
-std::string rater_name(int rater) { return fmt::format("simulated-{:02}", rater + 1); }
-
 }  // namespace
 
 std::optional<RatingsTable> simulated_ratings(const std::string& set, const RaterOptions& options) {
@@ -117,16 +115,6 @@ std::optional<RatingsTable> simulated_ratings(const std::string& set, const Rate
 
 std::string describe(const RaterOptions& options) {
   return fmt::format("{} simulated raters, seed {}", options.raters, options.seed);
-}
-
-std::string ratings_csv(const RatingsTable& table) {
-  std::string text = "rater,motion,pair,value\n";
-  for (const motion::Rating& rating : table.ratings) {
-    text += fmt::format("{},{},{},{}\n", rater_name(rating.rater),
-                        table.motions[static_cast<std::size_t>(rating.motion)],
-                        table.pairs[static_cast<std::size_t>(rating.pair)], rating.value);
-  }
-  return text;
 }
 
 }  // namespace promenade::study

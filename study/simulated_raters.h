@@ -27,7 +27,4 @@ std::optional<RatingsTable> simulated_ratings(const std::string& set, const Rate
 // "14 simulated raters, seed 1"
 std::string describe(const RaterOptions& options);
 
-// rater,motion,pair,value with a header: what `model adjectives` reads.
-std::string ratings_csv(const RatingsTable& table);
-
 }  // namespace promenade::study

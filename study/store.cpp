@@ -8,6 +8,7 @@
 #include <set>
 
 #include "motion/bytes.h"
+#include "study/identity.h"
 #include "study/store_open.h"
 
 namespace promenade::study {
@@ -56,8 +57,8 @@ struct Store::Implementation {
                          "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"};
   Statement end_trial{database,
                       "UPDATE trial SET ended_us = ?, outcome = ?, d_best = ?, d_final = ?, "
-                      "d_sum = ?, seconds_difference = ?, first_below_us = ?, clicks = ?, "
-                      "changes = ?, late_frames = ? WHERE uuid = ?"};
+                      "d_sum = ?, seconds_difference = ?, first_below_us = ?, paused_us = ?, "
+                      "clicks = ?, changes = ?, late_frames = ? WHERE uuid = ?"};
   Statement insert_event{database, "INSERT INTO event VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"};
   Statement insert_sample{database, "INSERT INTO sample VALUES (?,?,?,?)"};
   Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?)"};
@@ -196,8 +197,9 @@ void Store::Implementation::put(const Answer& record) {
 void Store::Implementation::put(const TrialEnded& record) {
   end_trial.bind(1, record.t_us).bind(2, to_text(record.outcome)).bind(3, record.d_best);
   end_trial.bind(4, record.d_final).bind(5, record.d_sum).bind(6, record.seconds_difference);
-  end_trial.bind(7, record.first_below_us).bind(8, record.clicks).bind(9, record.changes);
-  end_trial.bind(10, record.late_frames).bind(11, trial_uuid(record.trial)).run();
+  end_trial.bind(7, record.first_below_us).bind(8, record.paused_us).bind(9, record.clicks);
+  end_trial.bind(10, record.changes).bind(11, record.late_frames);
+  end_trial.bind(12, trial_uuid(record.trial)).run();
   commit_durably();
 }
 

@@ -68,10 +68,7 @@ class Store {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// "2026-11-22T16:02:29Z": the only place that reads the wall clock.
-std::string utc_now();
-std::string random_uuid();
-std::string_view program_version();
-std::string sha256_hex(std::string_view bytes);
+// Takes away a database in which no session ever began, for whoever made it in vain.
+void remove_unused_store(const std::filesystem::path& file);
 
 }  // namespace promenade::study

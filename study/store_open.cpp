@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <optional>
 #include <thread>
 
+#include "study/identity.h"
 #include "study/schema.h"
 #include "study/store.h"
 
@@ -52,14 +52,23 @@ class FolderLock {
 // The file is there with rights for its owner only before SQLite opens it; its
 // journal gets the same rights. One that is there is not opened: closing it would
 // drop the locks that SQLite holds on it elsewhere in this process.
-void make_private_file(const std::string& file) {
+// True: it was made here.
+bool make_private_file(const std::string& file) {
   const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   if (handle >= 0) {
     ::close(handle);
-  } else if (errno != EEXIST || ::access(file.c_str(), R_OK | W_OK) != 0) {
+    return true;
+  }
+  if (errno != EEXIST || ::access(file.c_str(), R_OK | W_OK) != 0) {
     throw OutsideError("cannot write " + file + " (" + std::strerror(errno) +
                        "); name another place for the database");
   }
+  return false;
+}
+
+void remove_database(const std::string& file) {
+  std::error_code ignored;
+  for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file + ending, ignored);
 }
 
 bool has_tables(Database& database) {
@@ -128,17 +137,7 @@ void make_tables(Database& database, const StudyBundle& bundle) {
   transaction.commit();
 }
 
-}  // namespace
-
-Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
-  const std::string file = path.string();
-  std::optional<FolderLock> lock;
-  if (file != ":memory:") {
-    make_folder(path);
-    lock.emplace(path);
-    check_existing(file, bundle);
-    make_private_file(file);
-  }
+Database prepared(const std::string& file, const StudyBundle& bundle) {
   Database database(file, Database::Mode::read_write);
   database.exec("PRAGMA journal_mode = WAL");
   database.exec("PRAGMA wal_autocheckpoint = 0");
@@ -146,6 +145,34 @@ Database open_store(const std::filesystem::path& path, const StudyBundle& bundle
   database.exec("PRAGMA foreign_keys = ON");
   make_tables(database, bundle);
   return database;
+}
+
+}  // namespace
+
+Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
+  const std::string file = path.string();
+  if (file == ":memory:") return prepared(file, bundle);
+  make_folder(path);
+  const FolderLock lock(path);
+  check_existing(file, bundle);
+  const bool made = make_private_file(file);
+  try {
+    return prepared(file, bundle);
+  } catch (const OutsideError&) {
+    if (made) remove_database(file);
+    throw;
+  }
+}
+
+void remove_unused_store(const std::filesystem::path& path) {
+  try {
+    Database database(path.string(), Database::Mode::read_only);
+    Statement session(database, "SELECT 1 FROM session");
+    if (session.step()) return;
+  } catch (const DatabaseError&) {
+    return;  // it is not known what is in it
+  }
+  remove_database(path.string());
 }
 
 }  // namespace promenade::study

@@ -9,6 +9,7 @@
 
 #include "motion/distance.h"
 #include "motion/motion_space.h"
+#include "motion/place.h"
 #include "motion/pose_blender.h"
 #include "motion/problem.h"
 #include "study/interface.h"
@@ -29,6 +30,7 @@ struct Target {
   std::string name;                        // as in the results
   std::optional<Eigen::VectorXd> weights;  // N; nothing in tasks without a target motion
   LocalText quality;                       // the asked word in each language (find)
+  Place place = {};                        // in the study's file
 };
 
 enum class TaskKind { match, find };
@@ -67,15 +69,23 @@ struct Display {
   ExamplesWall examples = ExamplesWall::none;
 };
 
+// [breaks]: a page of rest between two blocks.
+struct Breaks {
+  bool after_block = false;
+  std::int64_t least_us = 0;  // nobody goes on before
+};
+
 enum class Order { williams, latin, random, fixed };
 
 struct Study {
   std::string name, version = "1";
   std::string set = "builtin:A";
+  std::string ratings_file;  // of the motions on pairs of adjectives; empty: none is named
   std::vector<std::string> languages = {"en"};
   std::uint64_t seed = 1;
   Order order = Order::williams;
   Display display;
+  Breaks breaks;
   std::vector<InterfaceUse> interfaces;
   std::vector<Task> tasks;
   std::vector<Rating> ratings;
@@ -92,6 +102,7 @@ struct StudyBundle {
   motion::PoseBank bank;  // of this space: what is shown comes from it
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
+  std::string ratings_sha256;  // of the file of ratings; empty: none is named
   std::string set_bytes, set_sha256;
   std::vector<Problem> warnings;
 };

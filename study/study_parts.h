@@ -28,9 +28,12 @@ LocalText read_languages(const TomlTable& table, const std::string& name, const 
 
 void read_study_section(const TomlTable& root, Study& study);
 void read_display(const TomlTable& root, Study& study);
+void read_breaks(const TomlTable& root, Study& study);
 // `resources` is null when the motion set could not be read.
 std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry,
                                           const InterfaceResources* resources);
+// The file of ratings, if the study names one: Study::ratings_file, of `bundle.space`.
+void read_ratings_file(const TomlTable& root, StudyBundle& bundle);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/embedded.h"
 #include "study/toml_parse.h"
 
@@ -45,6 +45,11 @@ const std::string& Texts::operator()(std::string_view key) const {
   const auto found = texts_.find(key);
   if (found != texts_.end()) return found->second;
   return texts_.emplace(key, key).first->second;
+}
+
+const std::string* Texts::find(std::string_view key) const {
+  const auto found = texts_.find(key);
+  return found != texts_.end() && found->second != key ? &found->second : nullptr;
 }
 
 std::string Texts::with(std::string_view key,

@@ -20,6 +20,8 @@ class Texts {
   // "trial.match" and the like. An unknown key is a programmer's mistake; the key
   // itself is shown.
   const std::string& operator()(std::string_view key) const;
+  // The text, or null.
+  const std::string* find(std::string_view key) const;
   // With {name} replaced by values.
   std::string with(std::string_view key,
                    const std::vector<std::pair<std::string, std::string>>& values) const;

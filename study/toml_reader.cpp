@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/toml_parse.h"
 
 namespace promenade::study {
@@ -28,15 +28,14 @@ const char* kind_name(TomlValue::Kind kind) {
 }
 
 TomlReader::TomlReader(std::string file, std::string_view text) : file_(std::move(file)) {
-  try {
-    root_ = parse_toml(file_, text);
-    parsed_ = true;
-  } catch (const InputError& error) {
-    problems_ = error.problems();
-  }
+  ParsedToml parsed = parse_lines_of_toml(file_, text);
+  root_ = std::move(parsed.root);
+  parsed_ = parsed.usable;
+  problems_ = std::move(parsed.problems);
+  whole_ = problems_.empty();
 }
 
-void TomlReader::add(TomlPlace place, const std::string& message, Severity severity) {
+void TomlReader::add(Place place, const std::string& message, Severity severity) {
   // What a broken file lacks is not worth a word, and what was said is not said again.
   const bool known = std::any_of(problems_.begin(), problems_.end(), [&](const Problem& problem) {
     return problem.line == place.line && problem.column == place.column &&

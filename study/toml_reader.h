@@ -19,20 +19,17 @@
 #include <variant>
 #include <vector>
 
+#include "motion/place.h"
 #include "motion/problem.h"
 
 namespace promenade::study {
-
-struct TomlPlace {
-  int line = 0, column = 0;  // from 1
-};
 
 // A value of the file, whatever its type.
 struct TomlValue {
   enum class Kind { table, array, text, integer, number, boolean, date };
   struct Entry;
   Kind kind = Kind::table;
-  TomlPlace place;
+  Place place;
   std::string text;
   double number = 0;  // integers too
   std::int64_t integer = 0;
@@ -42,13 +39,13 @@ struct TomlValue {
 };
 struct TomlValue::Entry {
   std::string key;
-  TomlPlace place;  // of the key
+  Place place;  // of the key
   TomlValue value;
 };
 
 struct TomlText {
   std::string text;
-  TomlPlace place;
+  Place place;
 };
 using TomlScalar = std::variant<bool, double, std::string>;
 
@@ -58,9 +55,9 @@ class TomlReader;
 // nothing; one of the wrong type or out of range is a problem and gives nothing.
 class TomlTable {
  public:
-  TomlPlace place() const { return value_->place; }
-  TomlPlace place(std::string_view key) const;  // of its value; of the table if it is missing
-  bool has(std::string_view key) const;         // does not count as asking for it
+  Place place() const { return value_->place; }
+  Place place(std::string_view key) const;  // of its value; of the table if it is missing
+  bool has(std::string_view key) const;     // does not count as asking for it
 
   std::optional<std::string> text(std::string_view key) const;
   std::string required_text(std::string_view key) const;  // not empty; "" after a problem
@@ -82,7 +79,8 @@ class TomlTable {
   bool is(std::string_view key, TomlValue::Kind kind) const;
   void require(std::string_view key) const;  // a problem if it is missing
   void error(std::string_view key, const std::string& message) const;
-  void error(const std::string& message) const;  // about the table as a whole
+  // About the table as a whole: what it lacks, or how it fits to others.
+  void error(const std::string& message) const;
   void warning(std::string_view key, const std::string& message) const;
   TomlReader& reader() const { return *reader_; }
 
@@ -102,7 +100,8 @@ class TomlTable {
 
 class TomlReader {
  public:
-  // A text that is no TOML is one problem, and root() is an empty table.
+  // Lines that are no TOML are problems and left out; if that cannot be, root() is an
+  // empty table. What such a file lacks is no problem any more: it may have stood there.
   TomlReader(std::string file, std::string_view text);
   TomlReader(const TomlReader&) = delete;
   TomlReader& operator=(const TomlReader&) = delete;
@@ -111,10 +110,12 @@ class TomlReader {
   TomlTable empty() { return {*this, empty_}; }  // to go on with after a missing table
   const std::string& file() const { return file_; }
 
-  void add(TomlPlace place, const std::string& message, Severity severity = Severity::error);
+  void add(Place place, const std::string& message, Severity severity = Severity::error);
   // Problems found elsewhere while reading what this file names.
   void add(const std::vector<Problem>& problems);
   bool ok() const { return !has_error(problems_); }
+  bool parsed() const { return parsed_; }  // there is something to ask
+  bool whole() const { return whole_; }    // no line was left out
 
   // Names the unknown keys of every table that was asked for anything, then throws
   // InputError with all problems by their places if one is an error. Returns the
@@ -127,7 +128,7 @@ class TomlReader {
   std::string file_;
   TomlValue root_, empty_;
   std::map<const TomlValue*, std::set<std::string, std::less<>>> asked_;
-  bool parsed_ = false;
+  bool parsed_ = false, whole_ = false;
   std::vector<Problem> problems_;
 };
 

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 #include "study/toml_reader.h"
 
 namespace promenade::study {
@@ -37,7 +37,7 @@ const TomlValue* TomlTable::ask(std::string_view key, Kind kind, const char* wan
   return nullptr;
 }
 
-TomlPlace TomlTable::place(std::string_view key) const {
+Place TomlTable::place(std::string_view key) const {
   const TomlValue* value = find(key);
   return value ? value->place : place();
 }
@@ -165,7 +165,9 @@ void TomlTable::error(std::string_view key, const std::string& message) const {
   reader_->add(place(key), message);
 }
 
-void TomlTable::error(const std::string& message) const { reader_->add(place(), message); }
+void TomlTable::error(const std::string& message) const {
+  if (reader_->whole()) reader_->add(place(), message);
+}
 
 void TomlTable::warning(std::string_view key, const std::string& message) const {
   reader_->add(place(key), message, Severity::warning);

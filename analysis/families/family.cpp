@@ -18,6 +18,10 @@ const Json& list(const Json& value, const char* key) {
 }
 
 double as_number(const Json& value, const char* key) {
+  if (value.is_string()) {
+    throw CaseError(std::string("input.") + key + " holds \"" + value.get<std::string>() +
+                    "\", which is no number or out of range");
+  }
   if (!value.is_number()) throw CaseError(std::string("input.") + key + " is not all numbers");
   return value.get<double>();
 }

@@ -27,27 +27,35 @@ struct InterfaceReach {
 struct TargetReport {
   std::string task, target;
   bool practice = false;
+  Place place;
   std::optional<double> threshold_m;
+  double judged_by_m = 0;  // the threshold, or the automatic one
   std::vector<InterfaceReach> reaches;
 };
 
 // By the model of the interface; one that has none is tried as it is.
 study::Reach reach_of(const StudyBundle& bundle, const study::ReachModels& models, const Task& task,
-                      int interface, const Target& target) {
+                      int interface, const Target& target, double judged_by_m) {
   const std::string& type = bundle.study.interfaces[static_cast<std::size_t>(interface)].type;
   if (const motion::ControlMap* map = study::find_map(models, type)) {
-    return study::reach(models, *map, target, study::judged_threshold(bundle.space, task),
-                        task.distance);
+    return study::reach(models, *map, target, judged_by_m, task.distance);
   }
-  return study::reach(bundle, interfaces(), task, interface, target);
+  return study::reach(bundle, interfaces(), task, interface, target, {.threshold_m = judged_by_m});
 }
 
 TargetReport report_target(const StudyBundle& bundle, const study::ReachModels& models,
                            const Task& task, const Target& target, bool practice) {
-  TargetReport report{task.name, target.name, practice, task.threshold_m, {}};
+  TargetReport report{task.name,
+                      target.name,
+                      practice,
+                      target.place,
+                      task.threshold_m,
+                      study::judged_threshold(bundle.space, task),
+                      {}};
   for (const int index : task.interfaces) {
     const std::string& name = bundle.study.interfaces[static_cast<std::size_t>(index)].name;
-    report.reaches.push_back({name, reach_of(bundle, models, task, index, target)});
+    report.reaches.push_back(
+        {name, reach_of(bundle, models, task, index, target, report.judged_by_m)});
   }
   return report;
 }
@@ -85,7 +93,9 @@ std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
   return reports;
 }
 
-void warn_of_reach(const TargetReport& report, std::vector<std::string>& warnings) {
+using Sentences = std::vector<std::string>;
+
+void warn_of_reach(const TargetReport& report, Sentences& warnings) {
   if (!report.threshold_m) return;
   for (const auto& [interface, reach] : report.reaches) {
     if (reach.best < *report.threshold_m) continue;
@@ -101,7 +111,7 @@ double share_of(const study::Reach& reach) {
   return std::max(reach.share_below, 0.5 / std::max(1, reach.settings));
 }
 
-void warn_of_shares(const TargetReport& report, std::vector<std::string>& warnings) {
+void warn_of_shares(const TargetReport& report, Sentences& warnings) {
   if (!report.threshold_m || report.reaches.size() < 2) return;
   const auto less = [](const InterfaceReach& a, const InterfaceReach& b) {
     return share_of(a.reach) < share_of(b.reach);
@@ -116,13 +126,14 @@ void warn_of_shares(const TargetReport& report, std::vector<std::string>& warnin
 }
 
 void add_warnings(StudyBundle& bundle, const std::vector<TargetReport>& reports) {
-  std::vector<std::string> sentences;
   for (const TargetReport& report : reports) {
+    Sentences sentences;
     warn_of_reach(report, sentences);
     warn_of_shares(report, sentences);
-  }
-  for (std::string& sentence : sentences) {
-    bundle.warnings.push_back({bundle.file, 0, 0, std::move(sentence), Severity::warning});
+    for (std::string& sentence : sentences) {
+      bundle.warnings.push_back({bundle.file, report.place.line, report.place.column,
+                                 std::move(sentence), Severity::warning});
+    }
   }
 }
 
@@ -130,7 +141,8 @@ Json report_json(const TargetReport& report) {
   Json json = {{"task", report.task},
                {"target", report.target},
                {"practice", report.practice},
-               {"threshold_m", to_json(report.threshold_m)}};
+               {"threshold_m", to_json(report.threshold_m)},
+               {"judged_by_m", report.judged_by_m}};
   json["interfaces"] = Json::array();
   for (const auto& [interface, reach] : report.reaches) {
     json["interfaces"].push_back({{"name", interface},

@@ -1,6 +1,7 @@
 // `promenade model map`: where cycles lie on the minimap, what a point of it is, pictures.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -22,7 +23,7 @@ using Eigen::VectorXd;
 struct Arguments {
   std::string set, at, picture, heuristics;
   bool json = false, csv = false, mahalanobis = false;
-  int clusters = 3, components = 0, nearest = 5;
+  int clusters = 0, components = 0, nearest = 0;  // 0: the usual
   double confidence = 0.95;
   std::uint64_t seed = 1;
 };
@@ -35,19 +36,38 @@ struct Mapped {
   std::vector<int> clusters;
 };
 
+constexpr int usual_clusters = 3, usual_nearest = 5;
+
+// What the set cannot have is not quietly made less.
+void refuse_too_many(const Arguments& given, int cycles, int components) {
+  std::vector<Problem> problems;
+  const auto check = [&](const char* option, int asked, int most, const char* of) {
+    if (asked <= most) return;
+    problems.push_back({option, 0, 0,
+                        fmt::format("is {}, but {} has only {} {}", asked, given.set, most, of),
+                        Severity::error});
+  };
+  check("--components", given.components, components, "components");
+  check("--clusters", given.clusters, cycles, "cycles");
+  check("--nearest", given.nearest, cycles, "cycles");
+  if (!problems.empty()) throw InputError(problems);
+}
+
 Mapped make_map(const Arguments& given) {
   Mapped mapped;
   mapped.space = motion::make_motion_space(study::load_motion_set(given.set, ""));
   mapped.pca = motion::principal_components(mapped.space);
   if (mapped.pca.components() == 0)
     throw InputError(given.set, "all its cycles are alike; a map needs two that differ");
+  const int cycles = mapped.space.set.size();
+  refuse_too_many(given, cycles, mapped.pca.components());
   motion::MapOptions options;
   options.components = given.components;
-  options.nearest = given.nearest;
+  options.nearest = given.nearest > 0 ? given.nearest : usual_nearest;
   options.confidence = given.confidence;
   if (given.mahalanobis) options.metric = motion::MapMetric::mahalanobis;
   mapped.map = motion::make_minimap(mapped.pca, options);
-  const int clusters = std::clamp(given.clusters, 1, mapped.space.set.size());
+  const int clusters = given.clusters > 0 ? given.clusters : std::min(usual_clusters, cycles);
   mapped.clusters = motion::cut(motion::ward(mapped.map.examples), clusters);
   return mapped;
 }
@@ -204,11 +224,13 @@ void add_model_map(CLI::App& model) {
   command->add_option("--picture", given->picture, "FILE.svg, .pdf or .png: the map");
   command->add_option("--heuristics", given->heuristics,
                       "FILE.svg, .pdf or .png: the point of --at under each heuristic");
-  command->add_option("--clusters", given->clusters, "Clusters of the dots (Ward)")
+  command->add_option("--clusters", given->clusters, "Clusters of the dots (Ward); 3 if not given")
       ->check(CLI::Range(1, 1000));
   command->add_option("--components", given->components, "K; 0: ceil(0.7 (N - 1))")
       ->check(CLI::Range(0, 10000));
-  command->add_option("--nearest", given->nearest, "k of the heuristic weights; N: all")
+  command
+      ->add_option("--nearest", given->nearest,
+                   "k of the heuristic weights, 5 if not given; N: all")
       ->check(CLI::Range(1, 10000));
   command->add_option("--confidence", given->confidence, "Of the bounds of validity, 0 to 1")
       ->check(CLI::Range(0.01, 0.9999));

@@ -4,7 +4,9 @@
 
 #include "app/commands/model_parts.h"
 #include "app/print.h"
+#include "motion/builtin.h"
 #include "motion/files.h"
+#include "study/ratings_csv.h"
 #include "study/simulated_raters.h"
 
 namespace promenade::app {
@@ -16,9 +18,7 @@ struct Arguments {
 };
 
 void write(const Arguments& given) {
-  constexpr std::string_view prefix = "builtin:";
-  const bool prefixed = given.set.rfind(prefix, 0) == 0;
-  const std::string name = prefixed ? given.set.substr(prefix.size()) : given.set;
+  const std::string name = motion::builtin_name(given.set).value_or(given.set);
   const auto table = study::simulated_ratings(name, given.options);
   if (!table) {
     throw InputError(given.set,

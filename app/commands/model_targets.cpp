@@ -19,7 +19,7 @@ using study::Task;
 
 struct Arguments {
   std::string study;
-  RatingSource ratings;
+  RatingSource ratings, predict;
   bool json = false, csv = false;
 };
 
@@ -120,6 +120,19 @@ Json tasks_json(const StudyBundle& bundle, const std::vector<Row>& rows) {
   return tasks;
 }
 
+Json adjectives_json(const study::ReachModels& models) {
+  if (const auto& predicted = models.predicted) {
+    return {{"source", predicted->source},
+            {"simulated", predicted->simulated},
+            {"predicted", true},
+            {"left_out_error", to_list(predicted->left_out_error)}};
+  }
+  if (!models.adjectives) return nullptr;
+  return {{"source", models.adjectives->source},
+          {"simulated", models.adjectives->simulated()},
+          {"predicted", false}};
+}
+
 Json models_json(const StudyBundle& bundle, const study::ReachModels& models) {
   Json controls = Json::object();
   for (const motion::ControlMap& map : models.maps) controls[map.name] = map.controls;
@@ -132,12 +145,8 @@ Json models_json(const StudyBundle& bundle, const study::ReachModels& models) {
                {"set", bundle.space.set.name},
                {"median_style_distance_m", study::median_style_distance(bundle.space)},
                {"controls", controls},
-               {"adjectives", nullptr},
+               {"adjectives", adjectives_json(models)},
                {"missing", missing}};
-  if (models.adjectives) {
-    json["adjectives"] = {{"source", models.adjectives->source},
-                          {"simulated", models.adjectives->simulated()}};
-  }
   return json;
 }
 
@@ -153,12 +162,22 @@ std::string rows_csv(const std::vector<Row>& rows) {
   return text;
 }
 
+study::ReachModels models_of(const Arguments& given, const StudyBundle& bundle) {
+  if (!given.predict.name.empty()) {
+    const RatedSet rated = load_rated_set(given.predict, {});
+    if (!rated.set)
+      throw InputError("--predict", "needs the motions that were rated: name them with --set");
+    return study::make_reach_models(
+        bundle, study::predict_adjectives(rated.model, *rated.set, bundle.space.set));
+  }
+  if (given.ratings.name.empty()) return study::make_reach_models(bundle);
+  return study::make_reach_models(bundle, load_rated_set(given.ratings, {}).model);
+}
+
 void show(const Arguments& given) {
   const StudyBundle bundle = study::load_study(given.study, interfaces());
   print_problems(bundle.warnings);
-  std::optional<study::AdjectiveModel> adjectives;
-  if (!given.ratings.name.empty()) adjectives = load_rated_set(given.ratings, {}).model;
-  const study::ReachModels models = study::make_reach_models(bundle, std::move(adjectives));
+  const study::ReachModels models = models_of(given, bundle);
   std::vector<Row> rows = open_rows(bundle, models);
   work_out(models, bundle.file, rows);
   if (given.csv) return print_text(rows_csv(rows));
@@ -174,10 +193,23 @@ void add_model_targets(CLI::App& model) {
       "targets", "What all five interfaces can do about the targets of a study");
   const auto given = std::make_shared<Arguments>();
   command->add_option("study", given->study, "A study file (.toml)")->required();
-  command->add_option("--ratings", given->ratings.name,
-                      "DB or CSV behind the adjectives; built-in sets have simulated raters");
-  command->add_flag("--include-simulated", given->ratings.selection.include_simulated,
-                    "DB: simulated participants, too");
+  auto* ratings =
+      command->add_option("--ratings", given->ratings.name,
+                          "DB or CSV behind the adjectives; built-in sets have simulated raters");
+  command
+      ->add_option("--predict", given->predict.name,
+                   "Adjectives of a set that nobody rated, from its features and from ratings of "
+                   "other motions: builtin:B, DB or CSV")
+      ->excludes(ratings);
+  command->add_option("--set", given->predict.set,
+                      "The motions that the ratings of --predict are of: a file, or builtin:A");
+  command->add_flag_callback(
+      "--include-simulated",
+      [given] {
+        given->ratings.selection.include_simulated = true;
+        given->predict.selection.include_simulated = true;
+      },
+      "DB: simulated participants, too");
   command->add_flag("--csv", given->csv, "A row for each target and interface");
   command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
   command->callback([given] { show(*given); });

@@ -140,6 +140,17 @@ std::vector<std::string> split(const std::string& list) {
   return words;
 }
 
+Problem frame_trouble(const motion::Clip& clip, const std::string& word, bool number) {
+  if (!number) {
+    return {"--frames", 0, 0,
+            "'" + word + "' is no whole number; numbers of frames from 0 are wanted, as in 0,10",
+            Severity::error};
+  }
+  return {clip.file, 0, 0,
+          "has no frame '" + word + "'; its frames are 0 to " + std::to_string(clip.frames() - 1),
+          Severity::error};
+}
+
 // "0,10,20" as numbers of frames of the clip.
 std::vector<int> frame_list(const motion::Clip& clip, const std::string& list) {
   std::vector<int> frames;
@@ -149,10 +160,8 @@ std::vector<int> frame_list(const motion::Clip& clip, const std::string& list) {
     const char* end = word.data() + word.size();
     const auto [stop, error] = std::from_chars(word.data(), end, frame);
     if (error != std::errc() || stop != end || frame < 0 || frame >= clip.frames()) {
-      problems.push_back(
-          {clip.file, 0, 0,
-           "has no frame '" + word + "'; its frames are 0 to " + std::to_string(clip.frames() - 1),
-           Severity::error});
+      const bool number = stop == end && error != std::errc::invalid_argument;
+      problems.push_back(frame_trouble(clip, word, number));
     } else {
       frames.push_back(frame);
     }
@@ -194,6 +203,10 @@ void show_positions(const std::string& file, const std::string& frames,
 void convert(const std::string& in, const std::string& out, const motion::LoadOptions& options) {
   if (!motion::same_word(std::filesystem::path(out).extension().string(), ".bvh")) {
     throw InputError(out, "would be a BVH file; give it a name that ends in .bvh");
+  }
+  std::error_code ignored;
+  if (std::filesystem::equivalent(in, out, ignored)) {
+    throw InputError(out, "is the capture itself; name another file to write");
   }
   const motion::Clip clip = motion::load_clip(in, options);
   print_problems(clip.warnings);

@@ -1,27 +1,20 @@
 #include "app/commands/rating_source.h"
 
-#include "app/commands/ratings.h"
+#include "motion/builtin.h"
 #include "motion/files.h"
 #include "motion/problem.h"
+#include "study/ratings_csv.h"
 #include "study/study.h"
 
 namespace promenade::app {
 namespace {
 
-constexpr std::string_view builtin = "builtin:";
-
-std::vector<std::string> names_of(const std::optional<motion::MotionSet>& set) {
-  std::vector<std::string> names;
-  if (!set) return names;
-  for (const motion::Cycle& cycle : set->cycles) names.push_back(cycle.name);
-  return names;
-}
-
-RatedSet rated_builtin(const RatingSource& source, const motion::QuantificationOptions& options) {
+RatedSet rated_builtin(const RatingSource& source, const std::string& builtin,
+                       const motion::QuantificationOptions& options) {
   if (!source.set.empty())
     throw InputError("--set", "the ratings of a built-in set are of its own motions");
   motion::MotionSet set = study::load_motion_set(source.name, "");
-  auto model = study::builtin_adjective_model(source.name.substr(builtin.size()), options);
+  auto model = study::builtin_adjective_model(builtin, options);
   if (!model) throw InputError(source.name, "nobody knows how its walks were meant");
   return {std::move(*model), std::move(set)};
 }
@@ -29,7 +22,9 @@ RatedSet rated_builtin(const RatingSource& source, const motion::QuantificationO
 }  // namespace
 
 RatedSet load_rated_set(const RatingSource& source, const motion::QuantificationOptions& options) {
-  if (source.name.rfind(builtin, 0) == 0) return rated_builtin(source, options);
+  if (const auto builtin = motion::builtin_name(source.name)) {
+    return rated_builtin(source, *builtin, options);
+  }
   std::optional<motion::MotionSet> set;
   if (!source.set.empty()) set = study::load_motion_set(source.set, "");
   const std::string text = read_file(source.name);
@@ -40,7 +35,8 @@ RatedSet load_rated_set(const RatingSource& source, const motion::Quantification
     table = std::move(found.table);
     set = std::move(found.set);
   } else {
-    table = read_ratings(source.name, text, names_of(set));
+    table = study::read_ratings_csv(source.name, text,
+                                    set ? names_of(*set) : std::vector<std::string>());
   }
   return {study::make_adjective_model(std::move(table), source.name, options), std::move(set)};
 }

@@ -8,7 +8,7 @@
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/session_window.h"
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 
 namespace promenade::app {
 namespace {
@@ -20,15 +20,16 @@ struct Options {
   std::optional<std::uint64_t> autopilot;
 };
 
+// Empty: the first page asks.
 std::string choose_language(const Options& options, const study::Study& study) {
-  if (options.language.empty()) return study.languages.front();
   const std::vector<std::string>& offered = study.languages;
+  if (options.language.empty()) return offered.size() == 1 ? offered.front() : "";
   if (std::find(offered.begin(), offered.end(), options.language) != offered.end()) {
     return options.language;
   }
-  throw InputError("--language " + options.language,
-                   "this study is offered in " + study::quoted_list(offered) +
-                       study::did_you_mean(options.language, offered));
+  throw InputError(
+      "--language " + options.language,
+      "this study is offered in " + quoted_list(offered) + did_you_mean(options.language, offered));
 }
 
 // Empty: the welcome page asks.
@@ -83,7 +84,7 @@ void add_run_command(CLI::App& program) {
                           "the participant's code; without it the first page asks");
   command->add_flag("--pilot", options->pilot, "a trial run that does not count");
   command->add_option("--station", options->station, "the name of this place");
-  command->add_option("--language", options->language, "en or ja (default: the study's first)");
+  command->add_option("--language", options->language, "en or ja; without it the first page asks");
   command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
   command
       ->add_option("--autopilot", options->autopilot,

@@ -7,8 +7,8 @@
 #include <memory>
 #include <set>
 
+#include "analysis/cycle_picture.h"
 #include "app/commands.h"
-#include "app/commands/cycle_picture.h"
 #include "app/commands/set_report.h"
 #include "app/print.h"
 #include "motion/bvh.h"
@@ -48,11 +48,13 @@ std::string safe_name(const std::string& name, std::set<std::string>& taken) {
 
 void write_pictures(const motion::BuiltSet& built, const std::string& folder) {
   std::set<std::string> taken;
+  std::vector<NamedBytes> files;
   for (const motion::CycleReport& report : built.reports) {
     if (report.cycle.empty()) continue;
-    const auto path = std::filesystem::path(folder) / (safe_name(report.cycle, taken) + ".svg");
-    write_file(path, cycle_picture(built, report));
+    files.push_back(
+        {safe_name(report.cycle, taken) + ".svg", analysis::cycle_picture(built, report)});
   }
+  write_files(folder, files);
   std::fprintf(stderr, "%d pictures written to %s\n", built.set.size(), folder.c_str());
 }
 
@@ -89,10 +91,12 @@ void build(const BuildArguments& given) {
 void export_set(const std::string& name, const std::string& folder) {
   const motion::MotionSet set = study::load_motion_set(name, "");
   std::set<std::string> taken;
+  std::vector<NamedBytes> files;
   for (const motion::Cycle& cycle : set.cycles) {
-    const auto path = std::filesystem::path(folder) / (safe_name(cycle.name, taken) + ".bvh");
-    write_file(path, motion::bvh_text(motion::cycle_clip(set, cycle)));
+    files.push_back(
+        {safe_name(cycle.name, taken) + ".bvh", motion::bvh_text(motion::cycle_clip(set, cycle))});
   }
+  write_files(folder, files);
   std::fprintf(stderr, "%d cycles written to %s\n", set.size(), folder.c_str());
 }
 

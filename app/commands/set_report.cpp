@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "motion/foot_measures.h"
+
 namespace promenade::app {
 namespace {
 
@@ -125,15 +127,12 @@ Json build_json(const motion::BuiltSet& built) {
       list.push_back({{"source", report.file}, {"refusal", report.refusal}});
       continue;
     }
-    list.push_back({{"source", report.file},
-                    {"cycle", report.cycle},
-                    {"seam_m", report.seam.gap_m},
-                    {"inside_m", report.seam.inside_m},
-                    {"slide_left_m", report.slide_left_m},
-                    {"slide_right_m", report.slide_right_m},
-                    {"moved_m", report.from_capture_m},
-                    {"lowered_m", report.plant.lowered_m},
-                    {"speed_change", report.plant.speed_change}});
+    const int index = motion::find_cycle(built.set, report.cycle);
+    Json cycle = cycle_json(built.set, built.set.cycles[static_cast<std::size_t>(index)]);
+    cycle["ankles_moved_m"] = report.plant.moved_m;
+    cycle["pelvis_lowered_m"] = report.plant.lowered_m;
+    cycle["speed_change_m_s"] = report.plant.speed_change;
+    list.push_back(std::move(cycle));
   }
   return list;
 }

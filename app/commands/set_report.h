@@ -9,6 +9,8 @@
 namespace promenade::app {
 
 std::string build_table(const motion::BuiltSet& built);
+// A list: each cycle as in info_json with what planting its feet changed, and each take
+// that gave none as {source, refusal}.
 Json build_json(const motion::BuiltSet& built);
 
 std::string info_table(const motion::MotionSet& set);

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "app/commands.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "study/identity.h"
 
 namespace promenade::app {
 namespace {
@@ -20,7 +22,7 @@ struct Options {
   bool json = false;
 };
 
-int run_cohort(const Options& options, const study::StudyBundle& bundle) {
+int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   study::Store store(options.database, bundle);
   study::Cohort cohort;
   cohort.participants = options.participants;
@@ -35,6 +37,18 @@ int run_cohort(const Options& options, const study::StudyBundle& bundle) {
   };
   interrupted();
   return study::simulate_cohort(bundle, interfaces(), store, cohort);
+}
+
+// A database of its own that it could not fill is taken away again.
+int run_cohort(const Options& options, const study::StudyBundle& bundle) {
+  std::error_code ignored;
+  const bool there = std::filesystem::exists(options.database, ignored);
+  try {
+    return add_cohort(options, bundle);
+  } catch (const OutsideError&) {
+    if (!there) study::remove_unused_store(options.database);
+    throw;
+  }
 }
 
 void run(const Options& options) {

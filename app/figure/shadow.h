@@ -15,6 +15,7 @@ inline constexpr float shadow_metres = 2.6f;  // width of the square around the 
 
 class Shadow {
  public:
+  Shadow() { texels_.fill(1); }  // of nothing
   // `light` points from the ground to the light.
   void splat(const std::vector<Part>& parts, const Eigen::Vector3f& light);
   // shadow_size^2, x along +X, then along +Z; 1 is full light.

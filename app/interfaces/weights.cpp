@@ -32,6 +32,10 @@ class Weights final : public InterfaceState {
   }
 
   Applied apply(const ControlInput& input) override {
+    if (input.kind == "reset") {
+      sliders_.setConstant(slider_start);
+      return Applied::done;
+    }
     const int cycle = motion::find_cycle(*set_, input.target);
     if (cycle < 0) return Applied::refused;
     if (input.kind == "slide" && input.value >= 0 && input.value <= 1) {
@@ -130,16 +134,29 @@ void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int
   panel.slide(target, at.slider, weights.sliders()(cycle), slider_start);
   draw_share(panel, at, share);
   if (weights.has_only()) {
-    panel.press("only", target, at.only, panel.content().texts("interface.weights.only"));
+    panel.press("only", target, at.only, panel.text("interface.weights.only"));
   }
+}
+
+// Back to the middle; and what it means when all are at zero.
+void draw_foot(const Weights& weights, InterfacePanel& panel, const Box& foot) {
+  const std::string& reset = panel.text("interface.weights.reset");
+  const float width = text_width(panel.look().fonts.text, reset) + panel.size(24);
+  panel.press("reset", "", {foot.x, foot.y, std::round(width), foot.height}, reset);
+  if (weights.sliders().sum() > 0) return;
+  const float from = foot.x + width + panel.size(8);
+  panel.line(panel.look().fonts.text,
+             {from, foot.y, foot.right() - from - panel.size(8), foot.height},
+             panel.look().palette.quiet, panel.text("interface.weights.all_zero"));
 }
 
 void draw(const InterfaceState& state, InterfacePanel& panel) {
   const auto& weights = static_cast<const Weights&>(state);
-  const Eigen::VectorXd shares = study::weights_of(state, panel.now_us());
+  static thread_local Eigen::VectorXd shares;  // scratch: a frame allocates nothing
+  weights.weights(panel.now_us(), shares);
   const int rows = weights.set().size();
   // All in sight when there is room for the knobs, else a list that scrolls.
-  const float note = panel.size(32);
+  const float note = panel.size(44);
   const float room = panel.box().height - note;
   const float height =
       std::floor(std::clamp(room / static_cast<float>(rows), panel.size(36), panel.size(48)));
@@ -152,11 +169,7 @@ void draw(const InterfaceState& state, InterfacePanel& panel) {
     draw_row(weights, panel, row, cycle, shares(cycle));
   }
   panel.end_scroll();
-  if (weights.sliders().sum() <= 0) {
-    const Box box{list.x + panel.size(12), list.bottom(), list.width - panel.size(24), note};
-    draw_text(panel.look().fonts.text, box, panel.look().palette.quiet,
-              panel.content().texts("interface.weights.all_zero"));
-  }
+  draw_foot(weights, panel, {list.x, list.bottom(), list.width, note});
 }
 
 const InterfaceEntry entry{{
@@ -169,7 +182,7 @@ const InterfaceEntry entry{{
                     .choices = {},
                     .sentence = "true: a button in each row shows that motion alone"}},
     .texts = {"interface.weights.title", "interface.weights.hint", "interface.weights.only",
-              "interface.weights.all_zero"},
+              "interface.weights.reset", "interface.weights.all_zero"},
     .start =
         [](const study::InterfaceContext& context) { return std::make_unique<Weights>(context); },
     .simulate = simulate,

@@ -1,5 +1,5 @@
-// What the coming block asks for, beside walking figures that can be turned
-// already.
+// What the coming block asks for: words and walking figures at the left, the very
+// controls at the right, to be looked at.
 #include <cmath>
 
 #include "app/screens/screen.h"
@@ -7,53 +7,96 @@
 namespace promenade::app {
 namespace {
 
+// What is asked, and how it ends.
+std::string match_text(const Screen& screen, const study::Task& task) {
+  if (task.blind) return screen.texts("instructions.match_blind");
+  return screen.texts("instructions.match") + " " +
+         screen.texts(task.threshold_m ? "instructions.match_done" : "instructions.match_by_hand");
+}
+
 std::string task_text(const Screen& screen) {
   const study::Task& task = task_of(screen);
   const bool match = task.kind == study::TaskKind::match;
-  std::string text = screen.texts(match ? "instructions.match" : "instructions.find");
-  const auto add = [&](const std::string& more) { text += "\n\n" + more; };
-  if (match) add(screen.texts("instructions.match_done"));
-  if (task.limit_s) {
-    const auto seconds = static_cast<int>(std::lround(*task.limit_s));
-    add(screen.texts.with("instructions.limit", {{"seconds", std::to_string(seconds)}}));
-  } else {
-    add(screen.texts("instructions.no_limit"));
-  }
-  add(screen.texts("instructions.start_over"));
-  if (planned_trial(screen).practice) add(screen.texts("instructions.practice"));
+  std::string text = match ? match_text(screen, task) : screen.texts("instructions.find");
+  if (!task.limit_s) return text + "\n\n" + screen.texts("instructions.no_limit");
+  const std::string seconds = std::to_string(std::lround(*task.limit_s));
+  return text + "\n\n" + screen.texts.with("instructions.limit", {{"seconds", seconds}});
+}
+
+std::string help_text(const Screen& screen) {
+  std::string text =
+      screen.texts("instructions.camera") + "\n\n" + screen.texts("instructions.start_over");
+  if (planned_trial(screen).practice) text += "\n\n" + screen.texts("instructions.practice");
   return text;
+}
+
+const study::InterfaceUse& use_of(const Screen& screen) {
+  const auto index = static_cast<std::size_t>(planned_trial(screen).interface);
+  return screen.bundle.study.interfaces[index];
+}
+
+// As it looks at the start of a trial, and one thing done to it.
+void picture_controls(const Screen& screen, const study::InterfaceType& type) {
+  ScreenMemory& memory = screen.memory;
+  const int trial = screen.session.page().trial;
+  if (memory.pictured && memory.pictured_trial == trial) return;
+  const motion::MotionSpace& space = screen.bundle.space;
+  const study::InterfaceUse& use = use_of(screen);
+  memory.pictured_trial = trial;
+  memory.pictured = type.start({space, use.parameters, study::start_weights(space), 1, use.model});
+  study::Rng rng(1, 0, "picture");
+  for (study::ControlInput input : type.simulate(*memory.pictured, rng)) {
+    input.t_us = 0;
+    if (memory.pictured->apply(input) == study::Applied::done) break;
+  }
+}
+
+void draw_picture(const Screen& screen) {
+  const study::InterfaceType& type = *screen.registry.find(use_of(screen).type);
+  picture_controls(screen, type);
+  Ui ui = screen.ui;
+  ui.inert = true;
+  const Box box = ui.layout.panel();
+  ImGui::SetCursorScreenPos({box.x, box.y});
+  ImGui::BeginChild("picture", {box.width, box.height}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs);
+  study::InterfacePanel panel(ui, box, screen.content, study::settled_us, screen.memory.unheard);
+  type.draw(*screen.memory.pictured, panel);
+  ImGui::EndChild();
+  screen.memory.unheard.clear();
+}
+
+void draw_words(const Screen& screen) {
+  const Ui& ui = screen.ui;
+  const Palette& palette = ui.look.palette;
+  const Box left = ui.layout.box(32, 84, 784, 0);
+  const std::string key = "interface." + use_of(screen).type + ".";
+  float y = left.y;
+  const auto add = [&](ImFont* font, const std::string& text, float gap) {
+    y += draw_paragraphs(font, left.x, y, left.width, palette.text, text) + ui.layout.size(gap);
+  };
+  add(ui.look.fonts.reading, task_text(screen), 18);
+  add(ui.look.fonts.bold, screen.texts(key + "title"), 2);
+  add(ui.look.fonts.reading, screen.texts(key + "hint"), 18);
+  add(ui.look.fonts.text, help_text(screen), 0);
 }
 
 }  // namespace
 
 void draw_instructions(const Screen& screen) {
   const Ui& ui = screen.ui;
-  const Palette& palette = ui.look.palette;
-  const study::PlannedTrial& planned = planned_trial(screen);
-  const study::InterfaceUse& use =
-      screen.bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
-  draw_text(ui.look.fonts.heading, ui.layout.box(32, 24, 800, 56), palette.text,
+  draw_text(ui.look.fonts.heading, ui.layout.box(32, 20, 784, 56), ui.look.palette.text,
             screen.texts("instructions.title"));
+  draw_just_ended(screen, ui.layout.box(400, 24, 720, 36));
+  draw_words(screen);
   draw_stage(screen);
-  draw_text(ui.look.fonts.text, ui.layout.box(32, 84, 784, 28), palette.quiet,
-            screen.texts("instructions.camera"));
-
-  const Box panel = ui.layout.panel();
-  const float inset = ui.layout.size(24);
-  const float x = panel.x + inset;
-  const float width = panel.width - 2 * inset;
-  float y = panel.y + inset;
-  y += draw_paragraphs(ui.look.fonts.text, x, y, width, palette.text, task_text(screen));
-  y += ui.layout.size(24);
-  fill({x, y, width, ui.layout.size(1)}, palette.line);
-  y += ui.layout.size(20);
-  const std::string key = "interface." + use.type + ".";
-  y += draw_paragraphs(ui.look.fonts.bold, x, y, width, palette.text, screen.texts(key + "title"));
-  y += ui.layout.size(6);
-  draw_paragraphs(ui.look.fonts.text, x, y, width, palette.text, screen.texts(key + "hint"));
-  if (button(ui, "continue", ui.layout.box(1064, 648, 200, 48),
-             screen.texts(planned.practice ? "button.practice" : "button.start"),
-             ButtonKind::filled)) {
+  draw_picture(screen);
+  const Box below = ui.layout.box(848, 644, 200, 56);
+  draw_paragraphs(ui.look.fonts.text, below.x, below.y, below.width, ui.look.palette.quiet,
+                  screen.texts("instructions.controls"));
+  const std::string& label =
+      screen.texts(planned_trial(screen).practice ? "button.practice" : "button.start");
+  if (main_button(screen, {{}, {}, label}, ui.layout.box(1064, 648, 200, 48), true)) {
     screen.actions.emplace_back(study::Continue{});
   }
 }

@@ -6,8 +6,9 @@ namespace {
 using study::PageKind;
 
 void draw_page(const Screen& screen) {
-  if (screen.failure != nullptr) return draw_failure(screen);
   switch (screen.session.page().kind) {
+    case PageKind::language:
+      return draw_language(screen);
     case PageKind::welcome:
       return draw_welcome(screen);
     case PageKind::consent:
@@ -20,10 +21,40 @@ void draw_page(const Screen& screen) {
       return draw_trial(screen);
     case PageKind::rating:
       return draw_rating(screen);
+    case PageKind::break_:
+      return draw_break(screen);
     case PageKind::thanks:
     case PageKind::declined:
       return draw_closing(screen);
   }
+}
+
+// Where somebody may want to rest: not before the first page has been left, and not after
+// the last.
+bool can_pause(PageKind kind) {
+  return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
+         kind == PageKind::trial || kind == PageKind::rating || kind == PageKind::break_;
+}
+
+void offer_pause(const Screen& screen) {
+  const PageKind kind = screen.session.page().kind;
+  if (!can_pause(kind)) return;
+  bool wanted = key_pressed(ImGuiKey_Escape, false);
+  if (kind != PageKind::trial) {
+    const std::string& label = screen.texts("button.pause");
+    const float width = text_width(screen.ui.look.fonts.text, label) + screen.ui.layout.size(32);
+    const Box corner = screen.ui.layout.box(1264, 16, 0, 40);
+    wanted |= button(screen.ui, "pause", {corner.x - width, corner.y, width, corner.height}, label,
+                     ButtonKind::quiet);
+  }
+  if (wanted) screen.actions.emplace_back(study::Pause{});
+}
+
+void draw_all(const Screen& screen) {
+  if (screen.failure != nullptr) return draw_failure(screen);
+  if (screen.session.paused()) return draw_pause(screen);
+  draw_page(screen);
+  offer_pause(screen);
 }
 
 // Sessions that do not count say so, outside everything else.
@@ -32,7 +63,7 @@ void draw_marks(const Screen& screen) {
   if (!screen.pilot && !screen.simulated) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   if (screen.pilot) frame({0, 0, size.x, size.y}, ui.look.palette.pilot, ui.layout.size(6));
-  const Box box = ui.layout.box(24, 680, 640, 24);
+  const Box box = ui.layout.box(24, 690, 640, 20);
   draw_text(ui.look.fonts.text, box, ui.look.palette.quiet,
             screen.texts(screen.pilot ? "session.pilot" : "session.simulated"));
 }
@@ -49,7 +80,7 @@ void draw_screen(const Screen& screen) {
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse);
-  draw_page(screen);
+  draw_all(screen);
   draw_marks(screen);
   ImGui::End();
   ImGui::PopFont();
@@ -60,14 +91,38 @@ float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled,
   const Palette& palette = ui.look.palette;
   const Box column = ui.layout.column();
   const float heading = ui.layout.size(56);
+  draw_just_ended(screen, ui.layout.box(320, 52, 640, 36));
   draw_text(ui.look.fonts.heading, {column.x, column.y, column.width, heading}, palette.text,
             texts.title);
   const float from = column.y + heading + ui.layout.size(16);
   const float height = draw_paragraphs(ui.look.fonts.reading, column.x, from, column.width,
                                        palette.text, texts.text);
-  pressed = button(ui, "continue", ui.layout.box(760, 640, 200, 48), texts.button,
-                   ButtonKind::filled, enabled);
+  pressed = main_button(screen, texts, ui.layout.box(760, 640, 200, 48), enabled);
   return from + height;
+}
+
+bool main_button(const Screen& screen, const PageTexts& texts, const Box& box, bool enabled) {
+  const Ui& ui = screen.ui;
+  const bool by_key = texts.by_enter && ui.focus.nowhere() && !ImGui::GetIO().WantTextInput &&
+                      key_pressed(ImGuiKey_Enter, false);
+  return button(ui, texts.target, box, texts.button, ButtonKind::filled, enabled) ||
+         (by_key && enabled);
+}
+
+void draw_just_ended(const Screen& screen, const Box& line) {
+  const std::optional<study::LastTrial>& last = screen.session.just_ended();
+  if (!last) return;
+  const bool success = last->outcome == study::TrialOutcome::success;
+  if (!success && last->outcome != study::TrialOutcome::timeout) return;
+  const bool practice =
+      screen.session.plan().trials[static_cast<std::size_t>(last->trial)].practice;
+  const std::string key = std::string(practice ? "practice." : "trial.");
+  const Ui& ui = screen.ui;
+  fill({line.x, line.y, ui.layout.size(6), line.height},
+       success ? ui.look.palette.target : ui.look.palette.quiet);
+  draw_text(ui.look.fonts.reading,
+            {line.x + ui.layout.size(20), line.y, line.width - ui.layout.size(20), line.height},
+            ui.look.palette.text, screen.texts(key + (success ? "matched" : "time_up")));
 }
 
 const study::PlannedTrial& planned_trial(const Screen& screen) {

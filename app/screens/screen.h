@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,15 @@ struct ScreenMemory {
   std::optional<Orbit> told;  // the camera that was last reported
   int camera_trial = -1;      // the trial that the camera was set for
   Eigen::VectorXd example;    // scratch of the wall
+  // The controls in the picture of the instructions, and the trial that they are for.
+  std::unique_ptr<study::InterfaceState> pictured;
+  int pictured_trial = -1;
+  std::vector<study::ControlInput> unheard;  // what a picture reports
+};
+
+// A language that the study is offered in, as its own file says it.
+struct OfferedLanguage {
+  std::string code, name, ask;
 };
 
 // What a page draws from.
@@ -36,8 +46,10 @@ struct Screen {
   const study::InterfaceRegistry& registry;
   const study::InterfacePanel::Content& content;
   std::string_view language;
+  const std::vector<OfferedLanguage>& languages;
   std::int64_t now_us;  // since the session began
   bool pilot, simulated;
+  bool fresh;           // the first frame of this page
   const char* failure;  // why the session has to stop; null: it goes on
   Stage& stage;
   const StagePlan& stage_plan;
@@ -49,22 +61,33 @@ struct Screen {
 // Everything on screen but the figures, between ImGui::NewFrame and Render.
 void draw_screen(const Screen& screen);
 
+void draw_language(const Screen& screen);
 void draw_welcome(const Screen& screen);
 void draw_consent(const Screen& screen);
 void draw_instructions(const Screen& screen);
 void draw_intro(const Screen& screen);
 void draw_trial(const Screen& screen);
 void draw_rating(const Screen& screen);
+void draw_break(const Screen& screen);
+void draw_pause(const Screen& screen);    // over any page
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent
 void draw_failure(const Screen& screen);
 
 // Parts that several pages share.
 struct PageTexts {
   std::string_view title, text, button;
+  std::string_view target = "continue";  // of the button
+  bool by_enter = true;                  // Enter presses it while the keyboard is nowhere
 };
 // A column with a heading, text and the page's main button; returns where free room
 // begins, pixels. True in `pressed`: the button was.
 float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed);
+// A page's main button; true: pressed, or Enter was.
+bool main_button(const Screen& screen, const PageTexts& texts, const Box& box, bool enabled);
+// How the trial before ended, if it did so by itself, in one calm line.
+void draw_just_ended(const Screen& screen, const Box& line);
+// In a practice trial: what to try next.
+void draw_practice_hint(const Screen& screen, const study::TrialState& trial);
 // The plates, and what the mouse does on the stage: the left button turns the figures,
 // another moves them, the wheel brings them closer.
 void draw_stage(const Screen& screen);
@@ -72,6 +95,9 @@ void draw_stage(const Screen& screen);
 void draw_transport(const Screen& screen);
 // All examples, walking.
 void draw_wall(const Screen& screen);
+// The same anywhere. `scratch`: N weights.
+void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Content& content,
+                   SmallFigures& figures, Eigen::VectorXd& scratch);
 const study::PlannedTrial& planned_trial(const Screen& screen);
 const study::Task& task_of(const Screen& screen);
 // "Find a walk that looks confident", with the prefix of the key ("trial", "intro").

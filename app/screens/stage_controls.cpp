@@ -70,9 +70,14 @@ void draw_plate(const Screen& screen, Role role) {
   const float width = std::round(text_width(ui.look.fonts.bold, text) + ui.layout.size(28));
   const Box plate{std::round(at.x() - 0.5f * width), at.y(), width, ui.layout.size(30)};
   fill(plate, colour_of(palette, role));
-  // Black on the light green, white on the dark blue: both can be read.
-  draw_text(ui.look.fonts.bold, plate, role == Role::target ? palette.text : palette.on_colour,
-            text, Align::centre);
+  draw_text(ui.look.fonts.bold, plate, ink_on(palette, colour_of(palette, role)), text,
+            Align::centre);
+  if (!screen.stage.hides(role)) return;
+  // Where the figure would stand.
+  const float width_of_hint = ui.layout.size(380);
+  const Box hint{std::round(at.x() - 0.5f * width_of_hint), screen.stage_plan.foot_y - plate.height,
+                 width_of_hint, 2 * plate.height};
+  draw_text(ui.look.fonts.text, hint, palette.quiet, screen.texts("trial.hidden"), Align::centre);
 }
 
 }  // namespace

@@ -53,7 +53,8 @@ void draw_strip(const Screen& screen, const study::TrialState& trial) {
             Align::centre);
   const std::optional<double>& limit = task_of(screen).limit_s;
   if (!limit) return;
-  const double passed = 1e-6 * static_cast<double>(screen.now_us - trial.started_us);
+  const double passed =
+      1e-6 * static_cast<double>(trial.control_us(screen.now_us) - trial.started_us);
   draw_countdown(screen, std::max(0.0, *limit - passed), *limit);
 }
 
@@ -65,7 +66,8 @@ void draw_panel(const Screen& screen, const study::TrialState& trial) {
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::BeginChild("panel", {box.width, box.height}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PushID(trial.index);
-  study::InterfacePanel panel(screen.ui, box, screen.content, screen.now_us, screen.changes);
+  study::InterfacePanel panel(screen.ui, box, screen.content, trial.control_us(screen.now_us),
+                              screen.changes);
   type->draw(*trial.interface, panel);
   ImGui::PopID();
   ImGui::EndChild();
@@ -120,6 +122,7 @@ void draw_trial(const Screen& screen) {
   if (task_of(screen).playback) draw_transport(screen);
   if (screen.bundle.study.display.examples == study::ExamplesWall::panel) draw_wall(screen);
   draw_stage(screen);
+  draw_practice_hint(screen, *trial);
 }
 
 }  // namespace promenade::app

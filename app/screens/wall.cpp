@@ -35,29 +35,34 @@ Grid best_grid(int count, const Box& box, float caption) {
 void draw_wall(const Screen& screen) {
   const Ui& ui = screen.ui;
   const Box& box = screen.stage_plan.wall;
-  const int count = screen.content.space.set.size();
+  fill({box.x, box.y, box.width, ui.layout.size(1)}, ui.look.palette.line);
+  draw_examples(ui, box, screen.content, screen.stage.small_figures(), screen.memory.example);
+}
+
+void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Content& content,
+                   SmallFigures& figures, Eigen::VectorXd& weights) {
+  const int count = content.space.set.size();
   const float caption = ui.layout.size(22);
   // Names that would be cut are worse than none; then the one under the mouse is shown.
   Grid grid = best_grid(count, box, caption);
   const bool named = grid.width >= ui.layout.size(72);
   if (!named) grid = best_grid(count, box, 0);
-  fill({box.x, box.y, box.width, ui.layout.size(1)}, ui.look.palette.line);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
-  Eigen::VectorXd& weights = screen.memory.example;
   for (int k = 0; k < count; ++k) {
-    const int cycle = screen.content.by_name[static_cast<std::size_t>(k)];
+    const int cycle = content.by_name[static_cast<std::size_t>(k)];
     const Box tile{box.x + grid.width * static_cast<float>(k % grid.columns),
                    box.y + grid.height * static_cast<float>(k / grid.columns), grid.width,
                    grid.height};
     const float below = named ? caption : 0;
     weights.setZero(count);
     weights(cycle) = 1;
-    screen.stage.small_figures().ask({tile.x, tile.y, tile.width, tile.height - below}, box,
-                                     weights, ui.look.palette.example);
-    const std::string& name = screen.content.names[static_cast<std::size_t>(cycle)];
+    figures.ask({tile.x, tile.y, tile.width, tile.height - below}, box, weights,
+                ui.look.palette.example);
+    const std::string& name = content.names[static_cast<std::size_t>(cycle)];
     const bool over = tile.holds(mouse.x, mouse.y);
     if (!named && !over) continue;
-    const float room = named ? tile.width : text_width(ui.look.fonts.text, name);
+    const float room =
+        named ? tile.width - ui.layout.size(8) : text_width(ui.look.fonts.text, name);
     const float x = std::clamp(tile.middle_x() - 0.5f * room, box.x, box.right() - room);
     const Box label{x, tile.bottom() - caption, room, caption};
     if (!named) fill(label, ui.look.palette.background);

@@ -19,7 +19,8 @@ bool draw_code_field(const Screen& screen, float y) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ui.layout.size(12), pad});
   ImGui::SetCursorScreenPos({field.x, field.y});
   ImGui::SetNextItemWidth(field.width);
-  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool by_tab = ui.focus.on("type", "code") && ui.focus.arrived();
+  if (screen.fresh || by_tab) ImGui::SetKeyboardFocusHere();
   const bool entered =
       ImGui::InputText("##code", screen.memory.code.data(), screen.memory.code.size(),
                        ImGuiInputTextFlags_CharsNoBlank | ImGuiInputTextFlags_EnterReturnsTrue);

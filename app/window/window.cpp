@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <nlohmann/json.hpp>
+#include <vector>
 
 #include "app/window/clock.h"
 #include "motion/problem.h"
@@ -19,17 +20,59 @@ void start_glfw() {
       "under xvfb-run");
 }
 
+// GLFW is stopped with the last window.
+int& windows() {
+  static int count = 0;
+  return count;
+}
+
+std::vector<GLFWmonitor*> displays() {
+  int count = 0;
+  GLFWmonitor** first = glfwGetMonitors(&count);
+  return {first, first + count};
+}
+
+// "1 (DP-1, 1920 x 1080), 2 (HDMI-1, 1280 x 720)"
+std::string list_of(const std::vector<GLFWmonitor*>& monitors) {
+  std::string list;
+  for (std::size_t i = 0; i < monitors.size(); ++i) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitors[i]);
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + " (" + glfwGetMonitorName(monitors[i]);
+    if (mode != nullptr) {
+      list += ", " + std::to_string(mode->width) + " x " + std::to_string(mode->height);
+    }
+    list += ")";
+  }
+  return list.empty() ? "none" : list;
+}
+
+// Null: there is none at all.
+GLFWmonitor* display(int screen) {
+  if (screen == 0) return glfwGetPrimaryMonitor();
+  const std::vector<GLFWmonitor*> monitors = displays();
+  if (screen <= static_cast<int>(monitors.size())) {
+    return monitors[static_cast<std::size_t>(screen) - 1];
+  }
+  throw OutsideError("display " + std::to_string(screen) + " is not there; the displays are " +
+                     list_of(monitors) + "; change \"screen\" under [display], or use --windowed");
+}
+
 GLFWwindow* open(const WindowOptions& options) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_SAMPLES, 0);
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  glfwWindowHint(GLFW_FOCUSED, options.shows_only ? GLFW_FALSE : GLFW_TRUE);
+  glfwWindowHint(GLFW_FOCUS_ON_SHOW, options.shows_only ? GLFW_FALSE : GLFW_TRUE);
+  // Two screens are looked at by turns; none goes away with the pointer.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
+  GLFWmonitor* monitor = options.windowed ? nullptr : display(options.screen);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   GLFWwindow* window = nullptr;
-  if (options.windowed || mode == nullptr) {
-    window = glfwCreateWindow(1280, 720, options.title.c_str(), nullptr, nullptr);
+  if (mode == nullptr) {
+    window =
+        glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
   } else {
     window = glfwCreateWindow(mode->width, mode->height, options.title.c_str(), monitor, nullptr);
   }
@@ -39,7 +82,20 @@ GLFWwindow* open(const WindowOptions& options) {
 
 }  // namespace
 
-void require_display() { start_glfw(); }
+void require_display(int screen) {
+  start_glfw();
+  display(screen);
+}
+
+int another_display(int screen) {
+  const std::vector<GLFWmonitor*> monitors = displays();
+  if (monitors.size() < 2) {
+    throw OutsideError("the examples are to walk on a second display, but there is only " +
+                       list_of(monitors) +
+                       "; connect another one, or set examples = \"panel\" under [display]");
+  }
+  return screen <= 1 ? 2 : 1;
+}
 
 struct Window::Callbacks {
   static Window& of(GLFWwindow* handle) {
@@ -72,27 +128,29 @@ struct Window::Callbacks {
 Window::Window(const WindowOptions& options, InputQueue& queue) : queue_(queue) {
   start_glfw();
   handle_ = open(options);
+  ++windows();
   glfwSetWindowUserPointer(handle_, this);
   glfwMakeContextCurrent(handle_);
-  GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+  GLFWmonitor* monitor = options.windowed ? glfwGetPrimaryMonitor() : display(options.screen);
   const GLFWvidmode* mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
   refresh_hz_ = mode != nullptr ? mode->refreshRate : 0;
   // Without a known rate a swap does not wait; the frame loop paces itself.
-  glfwSwapInterval(refresh_hz_ > 0 ? 1 : 0);
+  glfwSwapInterval(refresh_hz_ > 0 && !options.shows_only ? 1 : 0);
   measure();
+  last_poll_us_ = monotonic_us();
+  glfwSetFramebufferSizeCallback(handle_, Callbacks::size);
+  if (options.shows_only) return;
   glfwSetCursorPosCallback(handle_, Callbacks::cursor);
   glfwSetMouseButtonCallback(handle_, Callbacks::button);
   glfwSetScrollCallback(handle_, Callbacks::scroll);
   glfwSetKeyCallback(handle_, Callbacks::key);
   glfwSetCharCallback(handle_, Callbacks::character);
   glfwSetWindowFocusCallback(handle_, Callbacks::focus);
-  glfwSetFramebufferSizeCallback(handle_, Callbacks::size);
-  last_poll_us_ = monotonic_us();
 }
 
 Window::~Window() {
   glfwDestroyWindow(handle_);
-  glfwTerminate();
+  if (--windows() == 0) glfwTerminate();
 }
 
 void Window::measure() {
@@ -118,6 +176,8 @@ void Window::wait_events(double seconds) {
   glfwWaitEventsTimeout(seconds);
   last_poll_us_ = monotonic_us();
 }
+
+void Window::use() { glfwMakeContextCurrent(handle_); }
 
 void Window::swap() { glfwSwapBuffers(handle_); }
 

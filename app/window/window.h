@@ -11,13 +11,19 @@ struct GLFWwindow;
 
 namespace promenade::app {
 
-// Is there a display to open a window on? Opens none. Throws OutsideError with
-// what to do when there is not.
-void require_display();
+// Is there a display to open a window on, and is it the one that is wanted? `screen`
+// counts from 1; 0: the first one. Opens none. Throws OutsideError with what to do when
+// there is not.
+void require_display(int screen = 0);
+// A display beside that one, from 1; throws OutsideError when there is only one.
+int another_display(int screen);
 
 struct WindowOptions {
   std::string title = "Promenade";
-  bool windowed = false;  // 1280 x 720 instead of the whole screen
+  bool windowed = false;           // instead of the whole screen
+  int screen = 0;                  // which one, from 1; 0: the first
+  bool shows_only = false;         // takes neither mouse nor keyboard
+  int width = 1280, height = 720;  // of a windowed one
 };
 
 class Window {
@@ -31,6 +37,7 @@ class Window {
   void poll();                       // takes in what has arrived
   void wait_events(double seconds);  // the same, but first waits for something
   void swap();
+  void use();            // what is drawn now goes to this window
   bool closing() const;  // the person closed it
   void close();
   int width() const { return width_; }  // pixels of the framebuffer

@@ -4,10 +4,9 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-namespace promenade::motion::gait {
+#include "motion/angles.h"
 
-inline constexpr double pi = 3.14159265358979323846;
-inline constexpr double degree = pi / 180;  // radians
+namespace promenade::motion::gait {
 
 // From 0 to 1 with two vanishing derivatives at both ends; constant outside.
 double smooth_step(double x);

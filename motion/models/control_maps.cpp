@@ -27,12 +27,6 @@ Box box_of_dots(const Minimap& map) {
   return {low - margin, high + margin};
 }
 
-std::vector<std::string> names_of(const MotionSet& set) {
-  std::vector<std::string> names;
-  for (const Cycle& cycle : set.cycles) names.push_back(cycle.name);
-  return names;
-}
-
 }  // namespace
 
 std::optional<ControlMap> map_controls(const MotionSpace& space, const MapOptions& options) {

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/angles.h"
 #include "motion/canonical.h"
 #include "motion/models/centre_of_mass.h"
 
@@ -137,7 +138,7 @@ Playback play(const MotionSet& set, const Cycle& cycle) {
 
 // Degrees, without jumps from one phase to the next.
 VectorXd angles(const Playback& played, const Feature& feature) {
-  constexpr double degrees = 180 / M_PI;
+  constexpr double degrees = 180 / pi;
   const bool upright = feature.from == hips || feature.from == neck;
   VectorXd angle(static_cast<Index>(played.points.size()));
   for (Index f = 0; f < angle.size(); ++f) {

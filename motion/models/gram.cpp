@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "motion/wide.h"
-
 namespace promenade::motion {
 namespace {
 
@@ -52,8 +50,8 @@ PROMENADE_WIDE void add_products_wide(Index stride, Index rows, const double* pa
 
 }  // namespace
 
-MatrixXd centred_gram(const Eigen::Ref<const MatrixXd>& x) {
-  const auto add = has_wide() ? add_products_wide : add_products_narrow;
+MatrixXd centred_gram(const Eigen::Ref<const MatrixXd>& x, bool wide) {
+  const auto add = wide ? add_products_wide : add_products_narrow;
   const Index n = x.cols();
   const Index stride = (n + padding - 1) / padding * padding;
   MatrixXd gram = MatrixXd::Zero(stride, stride);

@@ -41,6 +41,15 @@ TEST(Dataset, RestrictsTimeToTheLimit) {
   EXPECT_EQ(data.trials[1].values[time], 400);
 }
 
+TEST(Dataset, LeavesPausesOutOfTheTime) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({}).trial({.seconds = 500, .limit_s = 60});
+  log.database().exec("UPDATE trial SET paused_us = 455000000");
+  const Dataset data = dataset_of(folder.file("a.db"));
+  EXPECT_EQ(data.trials[0].values[static_cast<std::size_t>(data.measure("time_s"))], 45);
+}
+
 TEST(Dataset, CountsTimeoutsAndGivingUpAsFailures) {
   const TestFolder folder;
   ToyLog(folder.file("a.db"))

@@ -116,6 +116,18 @@ TEST(Log, RefusesRowsThatReferToNothing) {
   }
 }
 
+TEST(Log, ReadsDatabasesOfBeforeThereWerePauses) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({}).trial({});
+    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us");
+  }
+  const Log log = read_log({folder.file("a.db")});
+  ASSERT_EQ(log.trials.size(), 1U);
+  EXPECT_EQ(log.trials[0].paused_us, 0);
+}
+
 TEST(Log, TakesInfiniteValuesForMissingAndCountsThem) {
   const TestFolder folder;
   const double infinity = std::numeric_limits<double>::infinity();

@@ -34,5 +34,13 @@ TEST(Layout, NothingOverlapsAtOddSizes) {
   }
 }
 
+TEST(Layout, APictureThatTakesAShareIsCentred) {
+  const Layout layout = make_layout(1280, 720, 0.5);
+  EXPECT_EQ(layout.scale, 0.5f);
+  const Box panel = layout.panel();
+  EXPECT_EQ(panel.x, 320 + 424);
+  EXPECT_EQ(panel.y, 180 + 32);
+}
+
 }  // namespace
 }  // namespace promenade::app

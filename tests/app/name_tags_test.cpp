@@ -41,7 +41,7 @@ TEST(NameTags, KeepOffTheDots) {
 
 TEST(NameTags, OneCanBePlacedAnywayAndStaysInside) {
   const NameTags tags(area);
-  for (const Eigen::Vector2f dot : {Eigen::Vector2f(398, 2), Eigen::Vector2f(1, 399)}) {
+  for (const Eigen::Vector2f& dot : {Eigen::Vector2f(398, 2), Eigen::Vector2f(1, 399)}) {
     const Box box = tags.place_anyway(dot, 8, {120, 18});
     EXPECT_TRUE(box.x >= 0 && box.right() <= 400 && box.y >= 0 && box.bottom() <= 400);
   }

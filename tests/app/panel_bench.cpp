@@ -96,7 +96,7 @@ void PanelBench::frame() {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = 1.0f / 60;
   queue_.feed(io);
-  std::vector<study::ControlInput> changes;
+  changes_.clear();
   now_us_ += 16'667;
   ImGui::NewFrame();
   focus_.begin(widgets_);
@@ -105,12 +105,12 @@ void PanelBench::frame() {
   ImGui::SetNextWindowSize(io.DisplaySize);
   ImGui::Begin("page", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings);
   const Ui ui{gui_.look(), gui_.layout(), widgets_, focus_};
-  study::InterfacePanel panel(ui, box(), content_, now_us_, changes);
+  study::InterfacePanel panel(ui, box(), content_, now_us_, changes_);
   type_.draw(*state_, panel);
   ImGui::End();
   ImGui::Render();
   vertices_ = ImGui::GetDrawData()->TotalVtxCount;
-  for (study::ControlInput& change : changes) {
+  for (study::ControlInput& change : changes_) {
     change.t_us = now_us_;
     if (state_->apply(change) == study::Applied::refused)
       throw std::logic_error("the panel reported what cannot be");

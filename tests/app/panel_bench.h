@@ -52,6 +52,8 @@ class PanelBench {
   Eigen::VectorXd weights() const { return study::weights_of(*state_, now_us_); }
   const std::vector<study::ControlInput>& log() const { return log_; }  // all reports
   const study::Texts& texts() const { return texts_; }
+  const Focus& focus() const { return focus_; }
+  std::int64_t now_us() const { return now_us_; }
   Box box() const { return gui_.layout().panel(); }
   int vertices() const { return vertices_; }  // of the last frame
 
@@ -70,7 +72,7 @@ class PanelBench {
   Focus focus_;
   std::int64_t now_us_ = 0;
   std::unique_ptr<study::InterfaceState> state_;
-  std::vector<study::ControlInput> log_;
+  std::vector<study::ControlInput> log_, changes_;
   int vertices_ = 0;
 };
 

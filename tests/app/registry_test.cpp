@@ -2,12 +2,14 @@
 // names one.
 #include "app/registry.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "study/rng.h"
 #include "tests/app/panel_bench.h"
+#include "tests/motion/allocations.h"
 
 namespace promenade::app {
 namespace {
@@ -79,6 +81,61 @@ TEST_P(EveryInterface, ItsOwnProposalsAreAccepted) {
   }
 }
 
+// Ten thousand things done at random times: whoever does them again meets the same
+// weights, to the bit, at every time and between them.
+TEST_P(EveryInterface, TheSameInputsLeadToTheSameWeights) {
+  const std::unique_ptr<InterfaceState> one = start();
+  const std::unique_ptr<InterfaceState> two = start();
+  Rng rng(13, 14, "test");
+  std::int64_t t_us = 0;
+  for (int k = 0; k < 10'000; ++k) {
+    ControlInput input = random_input(type(), *one, rng);
+    input.t_us = t_us += static_cast<std::int64_t>(rng.below(300'000));
+    // Frames in between ask the one for its weights and not the other.
+    if (k % 3 == 0) study::weights_of(*one, t_us - 1);
+    ASSERT_EQ(one->apply(input), two->apply(input)) << k;
+    const std::int64_t later = t_us + static_cast<std::int64_t>(rng.below(200'000));
+    ASSERT_EQ(study::weights_of(*one, later), study::weights_of(*two, later)) << k;
+  }
+}
+
+TEST_P(EveryInterface, SettingsAreInputsThatItTakes) {
+  const std::unique_ptr<InterfaceState> state = start();
+  for (const ControlInput& setting : state->settings()) {
+    EXPECT_NE(state->clone()->apply(setting), study::Applied::refused) << setting.target;
+  }
+}
+
+TEST_P(EveryInterface, AFrameInWhichNothingIsDoneAllocatesNothing) {
+#if PROMENADE_COUNTS_ALLOCATIONS
+  bench::PanelBench panel(GetParam());
+  Rng rng(15, 16, "test");
+  for (const ControlInput& idea : type().simulate(panel.state(), rng)) panel.state().apply(idea);
+  for (int k = 0; k < 120; ++k) panel.frame();  // buffers grow, what glides arrives
+  const long before = motion::allocations();
+  panel.frame();
+  EXPECT_EQ(motion::allocations(), before);
+#else
+  GTEST_SKIP() << "the sanitizer brings its own malloc";
+#endif
+}
+
+TEST_P(EveryInterface, TheKeyboardReachesEveryProposal) {
+  bench::PanelBench panel(GetParam());
+  Rng rng(17, 18, "test");
+  for (const ControlInput& idea : type().simulate(panel.state(), rng)) {
+    // Dots on a plane are reached by moving over the plane.
+    if (!panel.find(idea.kind, idea.target)->stop) continue;
+    bool reached = false;
+    for (int k = 0; k < 400 && !reached; ++k) {
+      panel.key(GLFW_KEY_TAB);
+      reached = panel.focus().on(idea.kind, idea.target);
+    }
+    EXPECT_TRUE(reached) << idea.kind << " " << idea.target;
+    EXPECT_TRUE(panel.find(idea.kind, idea.target)->visible()) << idea.target;
+  }
+}
+
 TEST_P(EveryInterface, AClonesChangesAreItsOwn) {
   const std::unique_ptr<InterfaceState> state = start();
   Rng rng(7, 8, "test");
@@ -121,7 +178,7 @@ TEST_P(EveryInterface, ItsTextsAreThereInEveryLanguage) {
     const std::set<std::string> known(keys.begin(), keys.end());
     for (const std::string& key : type().texts) EXPECT_TRUE(known.count(key)) << language << key;
     // The instructions say what it is and how it is used.
-    for (const char* part : {".title", ".hint"}) {
+    for (const char* part : {".title", ".hint", ".practice"}) {
       EXPECT_TRUE(known.count("interface." + GetParam() + part)) << language << part;
     }
   }

@@ -13,23 +13,29 @@ std::filesystem::path fresh_file() {
 
 study::SessionHeader header_of(const std::string& language) {
   study::SessionHeader header;
-  header.language = language;
+  header.language = language.empty() ? "en" : language;
   header.simulated = true;
   return header;
 }
 
+study::StudyBundle bundle_of(const std::string& text) {
+  if (text.empty()) return study::load_study("configs/demo.toml", interfaces());
+  return study::read_study("test.toml", text, interfaces(), study::load_motion_set);
+}
+
 }  // namespace
 
-SessionBench::SessionBench(const std::string& language, std::uint64_t seed)
+SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
+                           const std::string& study_text)
     : file_(fresh_file()),
-      bundle_(study::load_study("configs/demo.toml", interfaces())),
-      texts_(study::load_texts(language)),
+      bundle_(bundle_of(study_text)),
       store_(file_, bundle_),
-      gui_(make_palette(false), shown_words(bundle_, texts_)),
+      gui_(make_palette(false), shown_words(bundle_)),
       live_(study::Session(bundle_, interfaces(),
-                           study::make_plan(bundle_.study, static_cast<int>(seed % 2))),
+                           study::make_plan(bundle_.study, static_cast<int>(seed % 2)),
+                           language.empty()),
             store_, header_of(language), now_us_),
-      view_((gui_.fit(1280, 720), bundle_), interfaces(), texts_, gui_, live_, queue_,
+      view_((gui_.fit(1280, 720), bundle_), interfaces(), gui_, live_, queue_,
             {language, "", false, true}),
       autopilot_(study::SimulatedParticipant(bundle_, interfaces(), seed), "S001") {
   unsigned char* pixels = nullptr;
@@ -40,6 +46,11 @@ SessionBench::SessionBench(const std::string& language, std::uint64_t seed)
 
 SessionBench::~SessionBench() {
   for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file_.string() + end);
+}
+
+void SessionBench::walk() {
+  view_.advance(now_us_);
+  frame();
 }
 
 void SessionBench::frame() {
@@ -69,6 +80,14 @@ void SessionBench::click(const std::string& target) {
                .t_us = now_us_});
   for (const bool down : {true, false}) {
     queue_.push({.kind = UiEvent::Kind::button, .code = 0, .down = down, .t_us = now_us_});
+    frame();
+  }
+  frame();
+}
+
+void SessionBench::key(int glfw_key) {
+  for (const bool down : {true, false}) {
+    queue_.push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = down, .t_us = now_us_});
     frame();
   }
   frame();

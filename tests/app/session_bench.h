@@ -13,15 +13,19 @@ namespace promenade::app::bench {
 
 class SessionBench {
  public:
-  explicit SessionBench(const std::string& language = "en", std::uint64_t seed = 1);
+  // Without a language the first page asks; without a study it is the demo.
+  explicit SessionBench(const std::string& language = "en", std::uint64_t seed = 1,
+                        const std::string& study_text = "");
   ~SessionBench();
 
   void frame();  // 1/60 s
+  void walk();   // the same, and the figures walk on
   // Lets the autopilot work until the session is over or `done` says so. False: it
   // took more than `minutes`.
   bool play(
       double minutes, const std::function<bool()>& done = [] { return false; });
   void click(const std::string& target);  // a button, with the mouse
+  void key(int glfw_key);
 
   const study::Session& session() const { return live_.session(); }
   SessionView& view() { return view_; }
@@ -34,7 +38,6 @@ class SessionBench {
   std::int64_t now_us_ = 1'000'000;  // first: the session begins at it
   std::filesystem::path file_;
   study::StudyBundle bundle_;
-  study::Texts texts_;
   study::Store store_;
   Gui gui_;
   InputQueue queue_;

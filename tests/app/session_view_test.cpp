@@ -1,6 +1,7 @@
 // Whole sessions through the real pages.
 #include "app/session_view.h"
 
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "study/sqlite.h"
@@ -96,6 +97,25 @@ TEST(SessionView, TimesNeverGoBackAndFramesComeBeforeTheirEvents) {
   EXPECT_EQ(count(bench, "event WHERE frame_us > t_us"), 0);
 }
 
+// Plays until a trial with a list is open.
+const Widget* first_row(SessionBench& bench) {
+  const auto row = [&] { return bench.view().widgets().find("pick", "sad"); };
+  return bench.play(10, [&] { return row() != nullptr; }) ? row() : nullptr;
+}
+
+TEST(SessionView, AMouseEventChangesTheWeightsInItsOwnFrame) {
+  SessionBench bench;
+  const Widget* row = first_row(bench);
+  ASSERT_NE(row, nullptr);
+  bench.queue().push(
+      {.kind = UiEvent::Kind::move, .x = row->box.middle_x(), .y = row->box.middle_y()});
+  bench.frame();
+  const Eigen::VectorXd before = bench.session().trial()->weights;
+  bench.queue().push({.kind = UiEvent::Kind::button, .code = 0, .down = true});
+  bench.frame();
+  EXPECT_NE(bench.session().trial()->weights, before);
+}
+
 // What is outside the panel, as rectangles in the order drawn.
 std::vector<std::array<float, 4>> outside(SessionBench& bench) {
   std::vector<std::array<float, 4>> boxes;
@@ -117,6 +137,63 @@ TEST(SessionView, NothingOutsideThePanelDependsOnTheInterface) {
     seen.push_back(outside(bench));
   }
   EXPECT_EQ(seen[0], seen[1]);
+}
+
+// Two interfaces with a break of two seconds between them.
+std::string study_with_break() {
+  return "[study]\nname = 'break'\nlanguages = ['en', 'ja']\norder = 'fixed'\n"
+         "[breaks]\nafter = 'block'\nleast_s = 2\n"
+         "[[interface]]\nname = 'labels'\n[[interface]]\nname = 'weights'\n"
+         "[[task]]\nname = 'match'\nkind = 'match'\nlimit_s = 5\n"
+         "targets = [{example = 'proud'}]\n";
+}
+
+TEST(SessionView, TheAutopilotChoosesALanguageAndWaitsInBreaks) {
+  SessionBench bench("", 3, study_with_break());
+  ASSERT_EQ(bench.session().page().kind, PageKind::language);
+  ASSERT_TRUE(bench.play(10));
+  EXPECT_EQ(bench.session().outcome(), study::Outcome::finished);
+  EXPECT_EQ(count(bench, "event WHERE kind = 'page' AND target = 'break'"), 1);
+}
+
+TEST(SessionView, TheChosenLanguageIsStored) {
+  SessionBench bench("", 1, study_with_break());
+  bench.click("language:ja");
+  EXPECT_EQ(bench.view().language(), "ja");
+  bench.type("P07");
+  bench.click("continue");
+  EXPECT_EQ(count(bench, "session WHERE language = 'ja'"), 1);
+  EXPECT_EQ(count(bench, "event WHERE kind = 'language' AND target = 'ja'"), 1);
+}
+
+TEST(SessionView, APausedTrialIsCoveredAndStands) {
+  SessionBench bench;
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+  bench.key(GLFW_KEY_ESCAPE);
+  ASSERT_TRUE(bench.session().paused());
+  ASSERT_EQ(bench.view().widgets().size(), 1U);
+  EXPECT_EQ(bench.view().widgets()[0].target, "resume");
+  bench.walk();
+  const double phase = bench.view().stage().phase();
+  for (int k = 0; k < 20; ++k) bench.walk();
+  EXPECT_EQ(bench.view().stage().phase(), phase);
+  bench.click("resume");
+  EXPECT_FALSE(bench.session().paused());
+  for (int k = 0; k < 20; ++k) bench.walk();
+  EXPECT_NE(bench.view().stage().phase(), phase);
+  EXPECT_EQ(count(bench, "event WHERE kind = 'pause' AND actor = 'participant'"), 1);
+}
+
+TEST(SessionView, ThePictureOfTheControlsCannotBeTouched) {
+  SessionBench bench;
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().page().kind == PageKind::instructions; }));
+  bench.frame();
+  const WidgetMap& widgets = bench.view().widgets();
+  for (std::size_t i = 0; i < widgets.size(); ++i) {
+    const bool ours = widgets[i].target == "continue" || widgets[i].target == "pause" ||
+                      widgets[i].target == "stage" || widgets[i].target == "reset_view";
+    EXPECT_TRUE(ours) << widgets[i].kind << " " << widgets[i].target;
+  }
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ class Broken(Captures):
                         ["convert", name, "out.bvh"]):
             result = self.call("motion", *command)
             self.assertEqual((result.returncode, result.stdout), (2, ""), command)
-            self.assertIn(f"{name}: error: ", result.stderr)
+            self.assertRegex(result.stderr, f"{name}(:1:1)?: error: ")
             self.assertIn(says, result.stderr)
         self.assertFalse((self.folder / "out.bvh").exists())
 

@@ -2,6 +2,9 @@
 """The commands as their users call them: exit codes, places of errors, nothing left behind."""
 import contextlib
 import json
+import os
+import resource
+import shutil
 import signal
 import sqlite3
 import subprocess
@@ -98,6 +101,105 @@ class Commands(ProgramTest):
         for frames in ("0,,1", "0,", "", ",", "x"):
             result = self.call("motion", "positions", capture, "--frames", frames)
             self.assertEqual(result.returncode, 2, frames)
+
+    def test_a_wrong_word_among_frames_is_told_from_a_frame_that_is_not_there(self):
+        self.call("set", "export", "builtin:A", "--out", "out")
+        capture = str(next((self.folder / "out").glob("*.bvh")))
+        result = self.call("motion", "positions", capture, "--frames", "0,x,99999999999,99999")
+        self.assertEqual(result.returncode, 2)
+        first, second, third = result.stderr.splitlines()
+        self.assertIn("--frames: error: 'x' is no whole number", first)
+        self.assertIn("has no frame '99999999999'; its frames are 0 to ", second)
+        self.assertIn("has no frame '99999'; its frames are 0 to ", third)
+
+    def test_a_capture_is_not_converted_onto_itself(self):
+        self.call("set", "export", "builtin:A", "--out", "out")
+        capture = next((self.folder / "out").glob("*.bvh"))
+        before = capture.read_bytes()
+        os.symlink(capture, self.folder / "link.bvh")
+        for out in (str(capture), f"out/../out/{capture.name}", "link.bvh"):
+            result = self.call("motion", "convert", str(capture), out)
+            self.assertEqual(result.returncode, 2, out)
+            self.assertIn("is the capture itself", result.stderr)
+        self.assertEqual(capture.read_bytes(), before)
+
+    def test_a_disk_that_refuses_is_left_as_it_was(self):
+        def small_files():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
+
+        for command in (["set", "export", "builtin:A", "--out", "new/deep"],
+                        ["motion", "convert", "walk.bvh", "new/copy.bvh"],
+                        ["simulate", "configs/demo.toml", "--participants", "1", "--seed", "1",
+                         "--db", "x.db"]):
+            self.call("set", "export", "builtin:A", "--out", "out")
+            capture = next((self.folder / "out").glob("*.bvh"))
+            capture.rename(self.folder / "walk.bvh")
+            shutil.rmtree(self.folder / "out")
+            result = self.call(*command, preexec_fn=small_files)
+            self.assertEqual(result.returncode, 1, command)
+            self.assertNotIn(".part", result.stderr)
+            self.assertEqual(self.left_behind(), ["walk.bvh"], command)
+
+    def test_what_a_map_cannot_have_is_not_quietly_made_less(self):
+        result = self.call("model", "map", "builtin:A", "--components", "10", "--clusters", "11",
+                           "--nearest", "11")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        self.assertEqual(result.stderr.splitlines(),
+                         ["--components: error: is 10, but builtin:A has only 9 components",
+                          "--clusters: error: is 11, but builtin:A has only 10 cycles",
+                          "--nearest: error: is 11, but builtin:A has only 10 cycles"])
+        self.assertEqual(self.call("model", "map", "builtin:A", "--components", "9", "--clusters",
+                                   "10", "--nearest", "10").returncode, 0)
+
+    def test_a_database_that_is_cut_is_called_damaged(self):
+        self.call("simulate", "configs/demo.toml", "--participants", "1", "--seed", "1", "--db",
+                  "x.db")
+        whole = (self.folder / "x.db").read_bytes()
+        for size in (40, 100, 600, len(whole) // 2):
+            (self.folder / "cut.db").write_bytes(whole[:size])
+            result = self.call("report", "cut.db", "--out", "r", "--include-simulated")
+            self.assertEqual(result.returncode, 2, size)
+            self.assertIn("cut.db: error: is damaged", result.stderr)
+        self.assertFalse((self.folder / "r").exists())
+
+    def test_warnings_of_a_check_have_the_place_of_the_target(self):
+        study = self.write("easy.toml", """[study]
+name = "easy"
+[[interface]]
+name = "labels"
+[[interface]]
+name = "weights"
+[[task]]
+name = "copy"
+kind = "match"
+threshold = 0.01
+targets = [{ example = "happy" },
+  { name = "mixture", weights = { happy = 0.5, sad = 0.5 } }]
+""")
+        result = self.call("check", study, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr,
+                         r'easy\.toml:12:3: warning: .*"mixture" seems out of reach')
+        self.assertEqual(len([line for line in result.stderr.splitlines() if line]),
+                         len([line for line in result.stderr.splitlines()
+                              if line.startswith("easy.toml:1")]))
+
+    def test_targets_without_a_threshold_are_judged_by_the_automatic_one(self):
+        study = self.write("open.toml", """[study]
+name = "open"
+[[interface]]
+name = "labels"
+[[task]]
+name = "copy"
+kind = "match"
+targets = [{ example = "happy" }]
+""")
+        target, = json.loads(self.call("check", study, "--json").stdout)["studies"][0]["targets"]
+        shown = json.loads(self.call("model", "targets", study, "--json").stdout)["tasks"][0]
+        self.assertIsNone(target["threshold_m"])
+        self.assertEqual(target["judged_by_m"], shown["judged_by_m"])
+        self.assertEqual(target["judged_by_m"], shown["automatic_threshold_m"])
+        self.assertAlmostEqual(target["interfaces"][0]["share_below"], 0.1, delta=1e-12)
 
     def test_told_to_end_a_simulation_stops_between_participants(self):
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):

@@ -3,24 +3,10 @@
 import contextlib
 import json
 import math
-import os
-import pathlib
 import sqlite3
-import subprocess
-import tempfile
 import unittest
 
-PROMENADE = os.environ["PROMENADE"]
-
-
-def call(*arguments):
-    return subprocess.run([PROMENADE, *arguments], text=True, capture_output=True, timeout=120)
-
-
-def document(*arguments):
-    result = call(*arguments)
-    assert result.returncode == 0, result.stderr
-    return json.loads(result.stdout)
+from program import ProgramTest
 
 
 def unit(index, count=10):
@@ -31,66 +17,69 @@ def farthest(a, b):
     return max(math.dist(p, q) for f, g in zip(a, b) for p, q in zip(f, g))
 
 
-class Model(unittest.TestCase):
+class Model(ProgramTest):
+    def document(self, *arguments):
+        result = self.call(*arguments)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
     def test_a_unit_weight_gives_the_exported_cycle(self):
-        names = [c["name"] for c in document("set", "info", "builtin:A", "--json")["cycles"]]
-        with tempfile.TemporaryDirectory() as folder:
-            self.assertEqual(call("set", "export", "builtin:A", "--out", folder).returncode, 0)
-            for index in (0, 5):
-                blend = document("model", "blend", "builtin:A", "--weights", unit(index), "--json")
-                frames = ",".join(str(f) for f in range(blend["frames"]))
-                path = str(pathlib.Path(folder) / (names[index] + ".bvh"))
-                there = document("motion", "positions", path, "--frames", frames, "--json")
-                self.assertEqual(blend["joints"], there["joints"])
-                self.assertLess(farthest(blend["positions"],
-                                         [f["positions"] for f in there["frames"]]), 1e-9)
+        names = [c["name"] for c in self.document("set", "info", "builtin:A", "--json")["cycles"]]
+        self.assertEqual(self.call("set", "export", "builtin:A", "--out", "out").returncode, 0)
+        for index in (0, 5):
+            blend = self.document("model", "blend", "builtin:A", "--weights", unit(index), "--json")
+            frames = ",".join(str(f) for f in range(blend["frames"]))
+            path = f"out/{names[index]}.bvh"
+            there = self.document("motion", "positions", path, "--frames", frames, "--json")
+            self.assertEqual(blend["joints"], there["joints"])
+            self.assertLess(farthest(blend["positions"],
+                                     [f["positions"] for f in there["frames"]]), 1e-9)
 
     def test_keytimes_of_a_blend_are_blended(self):
-        cycles = document("set", "info", "builtin:A", "--json")["cycles"]
-        blend = document("model", "blend", "builtin:A", "--weights", "0.5,0,0,0,0,0,0,0.5,0,0")
+        cycles = self.document("set", "info", "builtin:A", "--json")["cycles"]
+        blend = self.document("model", "blend", "builtin:A", "--weights", "0.5,0,0,0,0,0,0,0.5,0,0")
         for k, time in enumerate(blend["keytimes"]):
             self.assertAlmostEqual(
                 time, 0.5 * (cycles[0]["keytimes"][k] + cycles[7]["keytimes"][k]), delta=1e-12)
 
     def test_weights_must_fit_the_set(self):
         for wrong in ("1,0", unit(3) + ",1", "0.5" + unit(1)[1:], "a," + unit(0, 9)):
-            result = call("model", "blend", "builtin:A", "--weights", wrong)
+            result = self.call("model", "blend", "builtin:A", "--weights", wrong)
             self.assertEqual((result.returncode, result.stdout), (2, ""), wrong)
             self.assertIn("--weights", result.stderr)
 
     def test_the_map_gives_an_example_at_its_own_place(self):
-        dots = document("model", "map", "builtin:A")["examples"]
+        dots = self.document("model", "map", "builtin:A")["examples"]
         at = f"{dots[4]['x']!r},{dots[4]['y']!r}"
-        point = document("model", "map", "builtin:A", "--at=" + at)["point"]
+        point = self.document("model", "map", "builtin:A", "--at=" + at)["point"]
         self.assertAlmostEqual(point["weights"]["weights"][4], 1, delta=1e-9)
         for heuristic in ("zero", "closest", "weights"):
             self.assertAlmostEqual(sum(point[heuristic]["weights"]), 1, delta=1e-9)
 
     def test_there_are_51_features_of_each_cycle(self):
-        features = document("model", "features", "builtin:A", "--json")
+        features = self.document("model", "features", "builtin:A", "--json")
         self.assertEqual(len(set(features["features"])), 51)
         self.assertEqual({len(row["values"]) for row in features["rows"]}, {51})
-        table = call("model", "features", "builtin:A", "--csv").stdout.splitlines()
+        table = self.call("model", "features", "builtin:A", "--csv").stdout.splitlines()
         self.assertEqual(table[0].split(",")[1:], features["features"])
         self.assertEqual([float(v) for v in table[1].split(",")[1:]],
                          features["rows"][0]["values"])
 
     def test_ratings_become_primary_parameters(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "ratings.csv"
-            rows = [f"{rater},{motion},{pair},{value}"
-                    for rater in "xy" for pair in ("slow-fast", "dull-quick", "sad-happy")
-                    for motion, value in (("a", -2), ("b", 0), ("c", 2))]
-            path.write_text("rater,motion,pair,value\n" + "\n".join(rows) + "\n")
-            found = document("model", "adjectives", str(path), "--clusters", "1")
-            self.assertEqual(found["primary"], [[0, 0.5, 1]])
-            self.assertEqual([p["fate"] for p in found["pairs"]], ["kept"] * 3)
+        path = self.folder / "ratings.csv"
+        rows = [f"{rater},{motion},{pair},{value}"
+                for rater in "xy" for pair in ("slow-fast", "dull-quick", "sad-happy")
+                for motion, value in (("a", -2), ("b", 0), ("c", 2))]
+        path.write_text("rater,motion,pair,value\n" + "\n".join(rows) + "\n")
+        found = self.document("model", "adjectives", str(path), "--clusters", "1")
+        self.assertEqual(found["primary"], [[0, 0.5, 1]])
+        self.assertEqual([p["fate"] for p in found["pairs"]], ["kept"] * 3)
 
     def test_targets_show_all_five_interfaces_and_agree_with_check(self):
-        shown = document("model", "targets", "configs/demo.toml", "--json")
-        self.assertEqual(shown, document("model", "targets", "configs/demo.toml", "--json"))
+        shown = self.document("model", "targets", "configs/demo.toml", "--json")
+        self.assertEqual(shown, self.document("model", "targets", "configs/demo.toml", "--json"))
         self.assertTrue(shown["adjectives"]["simulated"])
-        checked = document("check", "configs/demo.toml", "--json")["studies"][0]["targets"]
+        checked = self.document("check", "configs/demo.toml", "--json")["studies"][0]["targets"]
         for target in shown["tasks"][0]["targets"]:
             by_name = {row["interface"]: row for row in target["interfaces"]}
             self.assertEqual(sorted(by_name), ["adjectives", "features", "labels", "map",
@@ -108,30 +97,49 @@ class Model(unittest.TestCase):
         self.assertAlmostEqual(shown["tasks"][0]["automatic_threshold_m"],
                                shown["tasks"][0]["threshold_m"], delta=1e-12)
 
+    def test_targets_of_a_set_that_nobody_rated_have_predicted_adjectives(self):
+        self.call("model", "raters", "builtin:A", "--out", "a.csv")
+        study = self.write("s.toml", '[study]\nname = "s"\nset = "builtin:N"\n[[interface]]\n'
+                           'name = "labels"\n[[task]]\nname = "t"\nkind = "match"\n'
+                           'targets = [{ example = "bouncy" }]\n')
+        names = [c["name"] for c in self.document("set", "info", "builtin:N", "--json")["cycles"]]
+        study = self.write("s.toml", (self.folder / study).read_text().replace("bouncy", names[3]))
+        found = self.document("model", "targets", study, "--predict", "a.csv", "--set", "builtin:A")
+        again = self.document("model", "targets", study, "--predict", "builtin:A")
+        self.assertTrue(found["adjectives"]["predicted"])
+        self.assertTrue(found["adjectives"]["simulated"])
+        rated = self.document("model", "adjectives", "builtin:A")
+        self.assertEqual(found["controls"]["adjectives"], [c["name"] for c in rated["clusters"]])
+        self.assertEqual(found["adjectives"]["left_out_error"],
+                         rated["prediction"]["left_out_error"])
+        self.assertEqual(found["missing"], [])
+        self.assertEqual(found["tasks"], again["tasks"])
+        self.assertEqual(self.call("model", "targets", study, "--predict", "a.csv").returncode, 2)
+
     def test_simulated_raters_write_the_ratings_of_the_default_model(self):
-        model = document("model", "adjectives", "builtin:A")
+        model = self.document("model", "adjectives", "builtin:A")
         self.assertTrue(model["simulated"])
         self.assertEqual({c["name"] for c in model["clusters"]},
                          {"quickness", "clearness", "activeness", "largeness"})
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "ratings.csv"
-            self.assertEqual(call("model", "raters", "builtin:A", "--out", str(path)).returncode, 0)
-            self.assertEqual(len(path.read_text().splitlines()), 1 + 14 * 41 * 10)
-            again = document("model", "adjectives", str(path), "--set", "builtin:A")
-            self.assertTrue(again["simulated"])
-            self.assertEqual(again["primary"], model["primary"])
-            self.assertEqual(again["prediction"]["left_out"], model["prediction"]["left_out"])
-            self.assertEqual(call("model", "raters", "mine").returncode, 2)
+        path = self.folder / "ratings.csv"
+        made = self.call("model", "raters", "builtin:A", "--out", str(path))
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertEqual(len(path.read_text().splitlines()), 1 + 14 * 41 * 10)
+        again = self.document("model", "adjectives", str(path), "--set", "builtin:A")
+        self.assertTrue(again["simulated"])
+        self.assertEqual(again["primary"], model["primary"])
+        self.assertEqual(again["prediction"]["left_out"], model["prediction"]["left_out"])
+        self.assertEqual(self.call("model", "raters", "mine").returncode, 2)
 
     def test_dropped_pairs_say_by_which_threshold(self):
-        for pair in document("model", "adjectives", "builtin:A")["pairs"]:
+        for pair in self.document("model", "adjectives", "builtin:A")["pairs"]:
             by = (["mu_star"] if pair["mu_star"] < 1.0 else [])
             by += ["sigma"] if pair["sigma"] > 0.85 else []
             self.assertEqual(pair["dropped_by"], by)
             self.assertEqual(pair["fate"] == "kept", not by)
 
     def test_adjectives_of_a_set_that_nobody_rated_are_predicted(self):
-        found = document("model", "adjectives", "builtin:B", "--predict", "builtin:B")
+        found = self.document("model", "adjectives", "builtin:B", "--predict", "builtin:B")
         rows = found["prediction"]["rows"]
         self.assertEqual([r["name"] for r in rows], found["motions"])
         for c, error in enumerate(found["prediction"]["left_out_error"]):
@@ -141,38 +149,37 @@ class Model(unittest.TestCase):
             self.assertLess(math.sqrt(sum(squares) / len(rows)), error)
 
     def test_ratings_come_from_a_database_too(self):
-        with tempfile.TemporaryDirectory() as folder:
-            path = str(pathlib.Path(folder) / "rated.db")
-            made = call("simulate", "configs/demo.toml", "--participants", "2", "--seed", "3",
-                        "--db", path)
-            self.assertEqual(made.returncode, 0, made.stderr)
-            self.assertIn("holds no ratings", call("model", "adjectives", path).stderr)
-            with contextlib.closing(sqlite3.connect(path)) as database, database:
-                trials = database.execute("SELECT session, uuid FROM trial WHERE practice = 0 "
-                                          "AND target = 'proud'").fetchall()
-                for session, trial in trials:
-                    database.execute("INSERT INTO answer VALUES (?, ?, 'rate', '1', 'slow-fast', "
-                                     "2, NULL, 0, 1, 0)", (session, trial))
-            self.assertEqual(call("model", "adjectives", path).returncode, 2)
-            found = document("model", "adjectives", path, "--include-simulated")
-            self.assertTrue(found["simulated"])
-            self.assertEqual(found["raters"], 2)
-            proud = found["motions"].index("proud")
-            self.assertEqual(found["pairs"][0]["mean"][proud], 2)
+        path = str(self.folder / "rated.db")
+        made = self.call("simulate", "configs/demo.toml", "--participants", "2", "--seed", "3",
+                    "--db", path)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertIn("holds no ratings", self.call("model", "adjectives", path).stderr)
+        with contextlib.closing(sqlite3.connect(path)) as database, database:
+            trials = database.execute("SELECT session, uuid FROM trial WHERE practice = 0 "
+                                      "AND target = 'proud'").fetchall()
+            for session, trial in trials:
+                database.execute("INSERT INTO answer VALUES (?, ?, 'rate', '1', 'slow-fast', "
+                                 "2, NULL, 0, 1, 0)", (session, trial))
+        self.assertEqual(self.call("model", "adjectives", path).returncode, 2)
+        found = self.document("model", "adjectives", path, "--include-simulated")
+        self.assertTrue(found["simulated"])
+        self.assertEqual(found["raters"], 2)
+        proud = found["motions"].index("proud")
+        self.assertEqual(found["pairs"][0]["mean"][proud], 2)
 
     def test_pictures_are_written_whole_or_not_at_all(self):
-        with tempfile.TemporaryDirectory() as folder:
-            dots = str(pathlib.Path(folder) / "map.svg")
-            strips = str(pathlib.Path(folder) / "strips.svg")
-            made = call("model", "map", "builtin:A", "--picture", dots, "--heuristics", strips,
-                        "--at=1,-1")
-            self.assertEqual((made.returncode, made.stdout), (0, ""), made.stderr)
-            for path in (dots, strips):
-                self.assertIn("</svg>", pathlib.Path(path).read_text())
-            self.assertIn("sneaky", pathlib.Path(dots).read_text())
-            for wrong in (("--picture", dots + ".txt"), ("--heuristics", strips)):
-                self.assertEqual(call("model", "map", "builtin:A", *wrong).returncode, 2)
-            self.assertEqual(sorted(os.listdir(folder)), ["map.svg", "strips.svg"])
+        dots = "map.svg"
+        strips = "strips.svg"
+        made = self.call("model", "map", "builtin:A", "--picture", dots, "--heuristics", strips,
+                    "--at=1,-1")
+        self.assertEqual((made.returncode, made.stdout), (0, ""), made.stderr)
+        for path in (dots, strips):
+            self.assertIn("</svg>", (self.folder / path).read_text())
+        self.assertIn("sneaky", (self.folder / dots).read_text())
+        for wrong in (("--picture", dots + ".txt"), ("--heuristics", strips)):
+            self.assertEqual(self.call("model", "map", "builtin:A", *wrong).returncode, 2)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()),
+                         ["map.svg", "strips.svg"])
 
 
 if __name__ == "__main__":

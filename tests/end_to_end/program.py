@@ -16,10 +16,10 @@ class ProgramTest(unittest.TestCase):
     def tearDown(self):
         self.temporary.cleanup()
 
-    def call(self, *arguments):
+    def call(self, *arguments, **options):
         environment = {k: v for k, v in os.environ.items() if "DISPLAY" not in k}
         return subprocess.run([PROMENADE, *arguments], cwd=self.folder, text=True,
-                              capture_output=True, timeout=120, env=environment)
+                              capture_output=True, timeout=120, env=environment, **options)
 
     def write(self, name, text):
         (self.folder / name).write_text(text)

@@ -153,8 +153,9 @@ class Motion(MotionTest):
         result = self.call("motion", "positions", self.write("a.bvh", text_of()), "--frames",
                            "0,3,-1,x", "--json")
         self.assertEqual((result.returncode, result.stdout), (2, ""))
-        for word in ("'3'", "'-1'", "'x'"):
+        for word in ("'3'", "'-1'"):
             self.assertIn(f"a.bvh: error: has no frame {word}", result.stderr)
+        self.assertIn("--frames: error: 'x' is no whole number", result.stderr)
 
     def test_convert_keeps_every_number(self):
         text = text_of()
@@ -280,8 +281,13 @@ class Set(MotionTest):
         recipe = self.write("r.toml", 'name = "x"\ncredit = "y"\nfolder = "takes"\n'
                             'files = "{style}_*.bvh"\nunit_m = 1\n')
         report, = self.json_of("set", "build", recipe, "--out", "x.set", "--json")
-        self.assertEqual((report["source"], report["cycle"]), ("stroll_1.bvh", "stroll_1"))
+        self.assertEqual((report["source"], report["name"]), ("stroll_1.bvh", "stroll_1"))
         info = self.json_of("set", "info", "x.set", "--json")
+        # The same figures under the same names, and what planting the feet changed.
+        cycle, = info["cycles"]
+        self.assertEqual({key: report[key] for key in cycle}, cycle)
+        self.assertEqual(set(report) - set(cycle),
+                         {"ankles_moved_m", "pelvis_lowered_m", "speed_change_m_s"})
         self.assertEqual([c["name"] for c in info["cycles"]], ["stroll_1"])
         self.assertEqual(info["unit"], "m")
 

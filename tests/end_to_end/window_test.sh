@@ -84,6 +84,23 @@ points = 7
 END
 }
 
+# says_why SAID LINES: the short study with these lines of [display] cannot run.
+says_why() {
+  local status=0
+  write_short_study "$folder/display.toml"
+  printf '[display]\n%s\n' "$2" >>"$folder/display.toml"
+  "$program" run "$folder/display.toml" --autopilot 1 --db "$folder/display.db" \
+    2>"$folder/said" || status=$?
+  expect "exit code with $2" 1 "$status"
+  grep -q "$1" "$folder/said" || { cat "$folder/said" >&2; exit 1; }
+  expect "files left with $2" "" "$(ls "$folder" | grep display.db || true)"
+}
+
+displays_that_are_not_there_are_named() {
+  says_why "display 7 is not there; the displays are 1 (screen, 1280 x 720)" "screen = 7"
+  says_why 'there is only 1 (screen, 1280 x 720); .* set examples = "panel"' 'examples = "screen"'
+}
+
 autopilot_plays_a_short_study() {
   local db=$folder/auto.db
   write_short_study "$folder/short.toml"
@@ -109,13 +126,15 @@ a_real_mouse_works_the_first_pages() {
   running=$!
   xdotool search --sync --onlyvisible --name demo >/dev/null
   sleep 1
+  click 640 280  # English
   click 460 385  # the field for the code
   xdotool type --delay 60 P07
   click 860 664  # Start
   wait_for 20 "$db" "SELECT code FROM participant" P07
   click 860 664  # I agree
   wait_for 20 "$db" "SELECT count(*) FROM event WHERE kind = 'page' AND target = 'instructions'" 1
-  expect "presses" 3 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
+  expect "language" "en" "$(ask "$db" "SELECT language FROM session")"
+  expect "presses" 4 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
     AND actor = 'participant' AND uncertainty_us >= 0 AND x > 0")"
   local status=0
   kill -TERM "$running"
@@ -130,6 +149,7 @@ a_real_mouse_works_the_first_pages() {
 cd "${PROMENADE_SOURCE_DIR:-$(dirname "$0")/../..}"
 no_display_says_so
 broken_input_opens_nothing
+displays_that_are_not_there_are_named
 a_real_mouse_works_the_first_pages
 autopilot_plays_a_short_study
 echo "the window works"

@@ -128,14 +128,14 @@ std::vector<Broken> broken_files() {
           {"NoFrame", ":FULLY-SPECIFIED\n:DEGREES\n", 2, 1, "no frame"},
           {"OtherFile", "HIERARCHY\n", 1, 1, "number of a frame"},
           {"NoFirstNumber", replaced(t, "\n1\n", "\n"), 4, 1, "number of a frame"},
-          {"UnknownBone", replaced(t, "arm 90", "leg 90"), 7, 1, "no bone of toy.asf"},
+          {"UnknownBone", replaced(t, "arm 90", "arm 90\nleg 90"), 8, 1, "no bone of toy.asf"},
           {"StiffBone", replaced(t, "arm 90", "arm 90\ntip 1"), 8, 1, "0 degrees of freedom"},
           {"TooFewValues", replaced(t, "up 10 20 30", "up 10 20"), 10, 1, "holds 2 values"},
           {"TooManyValues", replaced(t, "up 10 20 30", "up 10 20 30 40"), 10, 1, "holds 4 values"},
           {"NoValues", replaced(t, "up 10 20 30", "up"), 10, 1, "holds 0 values"},
           {"BoneTwice", replaced(t, "arm -45\n", "arm -45\narm -45\n"), 12, 1, "twice"},
-          {"BoneMissing", replaced(t, "up 0 0 0\n", ""), 4, 1, "frame 1 lacks 'up'"},
-          {"CutInFrame", replaced(t, "arm -45\n", ""), 8, 1, "frame 2 lacks 'arm'"},
+          {"BoneMissing", replaced(t, "up 0 0 0\n", ""), 4, 1, "the frame lacks 'up'"},
+          {"CutInFrame", replaced(t, "arm -45\n", ""), 8, 1, "the frame lacks 'arm'"},
           {"NumbersJump", replaced(t, "\n2\n", "\n4\n"), 8, 1, "frame 4 comes after frame 1"},
           {"NumberAgain", replaced(t, "\n2\n", "\n1\n"), 8, 1, "frame 1 comes after frame 1"},
           {"HalfAFrame", replaced(t, "\n2\n", "\n1.5\n"), 8, 1, "number of a frame"},
@@ -148,6 +148,40 @@ std::vector<Broken> broken_files() {
 
 INSTANTIATE_TEST_SUITE_P(Table, BrokenAmc, testing::ValuesIn(broken_files()),
                          [](const auto& instance) { return std::string(instance.param.name); });
+
+std::vector<std::string> all_that_is_wrong(const std::string& text) {
+  std::vector<std::string> lines;
+  try {
+    read_amc(text, "a.amc", read_asf(toy_asf, "toy.asf"));
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) lines.push_back(to_text(problem));
+  }
+  return lines;
+}
+
+TEST(Amc, SaysOnceWhatIsWrongInEveryFrameAndInTheOrderOfTheLines) {
+  std::string text = replaced(toy_amc, "\narm 90", "\namr 90");
+  for (int f = 3; f < 100; ++f) {
+    text += std::to_string(f) + "\nroot 5 6 8 0 90 0\nup 1 2 3\namr 90\n";
+  }
+  EXPECT_EQ(all_that_is_wrong(replaced(text, "10 20", "10 x")),
+            (std::vector<std::string>{
+                "a.amc:4:1: error: the frame lacks 'arm'; so 97 times more",
+                "a.amc:7:1: error: 'amr' is no bone of toy.asf; so 97 times more; did you mean "
+                "'arm'?",
+                "a.amc:10:7: error: 'x' is not a number"}));
+}
+
+TEST(Amc, NamesTheKeywordThatWasMeant) {
+  const Clip clip = toy(replaced(toy_amc, ":DEGREES", ":DEGREEES"));
+  ASSERT_FALSE(clip.warnings.empty());
+  EXPECT_EQ(
+      to_text(clip.warnings[0])
+          .find(
+              "toy_1.amc:3:1: warning: keyword ':DEGREEES' is left out; did you mean ':degrees'?"),
+      0u)
+      << to_text(clip.warnings[0]);
+}
 
 class AmcFolder : public testing::Test {
  protected:

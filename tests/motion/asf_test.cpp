@@ -118,6 +118,17 @@ TEST(Asf, OfAHundredThousandBonesInAChainIsRead) {
   EXPECT_EQ(asf.skeleton.joints.back().name, "b99999");
 }
 
+TEST(Asf, NamesTheWordThatWasMeantWhereItGoesOn) {
+  std::string text = replaced(toy_asf, "    direction 0 1 0", "    dirction 0 1 0");
+  text = replaced(text, "  length 0.5", "  lenght 0.5");
+  const AsfSkeleton asf = read_asf(text, "x");
+  ASSERT_EQ(asf.warnings.size(), 2U);
+  EXPECT_EQ(asf.warnings[0].line, 6);
+  EXPECT_NE(asf.warnings[0].message.find("mean 'length'?"), std::string::npos);
+  EXPECT_EQ(asf.warnings[1].line, 19);
+  EXPECT_NE(asf.warnings[1].message.find("mean 'direction'?"), std::string::npos);
+}
+
 struct Broken {
   const char* name;
   std::string text;
@@ -166,6 +177,8 @@ std::vector<Broken> broken_files() {
       {"CutInBones", t.substr(0, t.find("    dof rx\n  end")), 32, 1, "end of the bone"},
       {"CutInHierarchy", t.substr(0, t.rfind("  end")), 44, 1, "end of the hierarchy"},
       {"NoHierarchy", t.substr(0, t.find(":hierarchy")), 18, 10, "hangs nowhere"},
+      {"MisspeltBone", replaced(t, "up arm", "up arn"), 42, 8, "did you mean 'arm'?"},
+      {"MisspeltSection", replaced(t, "  axis XYZ", "  axes XYZ"), 12, 3, "mean 'axis'?"},
       {"UnknownBone", replaced(t, "up arm", "up leg"), 42, 8, "no bone"},
       {"TwoParents", replaced(t, "root up", "root up arm"), 42, 8, "second parent"},
       {"RootBelow", replaced(t, "arm tip", "arm root"), 43, 9, "root cannot"},

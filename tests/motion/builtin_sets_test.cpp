@@ -182,7 +182,7 @@ TEST(SetB, WalksEachEmotionAtThreeSpeeds) {
 }
 
 // The slow stand longer and the fast shorter ("the slow walk with longer double
-// support"): the share of the stride from right foot off to right foot on grows.
+// support"): the share of the stride in which the right foot swings falls from fast to slow.
 TEST(SetB, StandsLongerWhenItWalksSlower) {
   const MotionSet& set = made("B");
   const auto swing = [](const Cycle& cycle) { return cycle.keytimes[1] / cycle.seconds; };

@@ -93,5 +93,16 @@ TEST(NormalWalk, BendsItsJointsAsPeopleDo) {
   EXPECT_NEAR(walk.range(right_side, 0.6, 1, knee).most, 60, 4);
 }
 
+TEST(BuiltinName, IsWhatStandsBehindThePrefix) {
+  EXPECT_EQ(builtin_name("builtin:A"), "A");
+  EXPECT_EQ(builtin_name("builtin:"), "");
+  EXPECT_FALSE(builtin_name("walks/builtin:A.set"));
+  EXPECT_FALSE(builtin_name("A"));
+}
+
+TEST(BuiltinNames, AreThoseOfTheCyclesInTheirOrder) {
+  for (const char* name : {"A", "B"}) EXPECT_EQ(builtin_names(name), names_of(*builtin_set(name)));
+}
+
 }  // namespace
 }  // namespace promenade::motion

@@ -171,6 +171,9 @@ std::vector<Broken> broken_files() {
       {"NoName", replaced(t, "JOINT Leg", "JOINT"), 6, 3, "without a name"},
       {"LongName", replaced(t, "JOINT Leg", "JOINT " + std::string(1001, 'x')), 6, 3,
        "1000 letters"},
+      {"MisspeltChannel", replaced(t, "Zrotation", "Zrotaton"), 5, 24, "mean 'Zrotation'?"},
+      {"MisspeltKeyword", replaced(t, "CHANNELS 4", "chanels 4"), 5, 3, "mean 'CHANNELS'?"},
+      {"MisspeltRoot", replaced(t, "ROOT", "ROTO"), 2, 1, "mean 'ROOT'?"},
       {"NoJoint", "HIERARCHY\n" + toy_motion, 2, 1, "no joint"}};
 }
 
@@ -183,6 +186,18 @@ TEST(Bvh, NamesAllBadNumbersAtOnce) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.problems().size(), 2u);
+  }
+}
+
+TEST(LoadClip, SaysWhereAFileIsNoText) {
+  const std::string file = testing::TempDir() + "/zero.bvh";
+  write_file(file, std::string("HIERARCHY\nROOT \0 Hips", 22));
+  try {
+    load_clip(file);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              file + ":2:6: error: is not a text file: here is a byte 0");
   }
 }
 

@@ -66,5 +66,23 @@ TEST(AnInputError, SaysAllItsProblems) {
   EXPECT_STREQ(error.what(), "a:1:1: error: x\nb:2:2: error: y");
 }
 
+TEST_F(Files, ThatCannotBeWrittenLeaveNoFolderBehind) {
+  const std::string too_long(300, 'x');
+  EXPECT_THROW(write_file(folder_ / "new" / "deep" / too_long, "a"), OutsideError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+}
+
+TEST_F(Files, OfOneFolderAreWrittenAllOrNone) {
+  write_file(folder_ / "old", "1");
+  EXPECT_THROW(write_files(folder_ / "new", {{"a", "1"}, {std::string(300, 'x'), "2"}}),
+               OutsideError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
+  EXPECT_THROW(write_files(folder_, {{"b", "1"}, {std::string(300, 'x'), "2"}}), OutsideError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "b"));
+  EXPECT_EQ(read_file(folder_ / "old"), "1");
+  write_files(folder_ / "new", {{"a", "1"}, {"b", "2"}});
+  EXPECT_EQ(read_file(folder_ / "new" / "b"), "2");
+}
+
 }  // namespace
 }  // namespace promenade

@@ -2,10 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/bvh.h"
-#include "motion/files.h"
-#include "motion/set_builder.h"
-#include "motion/set_file.h"
+#include "motion/foot_measures.h"
 #include "tests/motion/walker.h"
 
 namespace promenade::motion {
@@ -102,49 +99,6 @@ TEST(MoveFoot, BringsTheAnkleWhereItIsWanted) {
   EXPECT_LT((after.positions.col(ankle) - target.ankle).norm(), 1e-12);
   EXPECT_LT(after.rotations[static_cast<std::size_t>(ankle)].angularDistance(target.rotation),
             1e-7);
-}
-
-// Takes of three generated walkers on disk, in a folder of the test's own.
-std::vector<TakeSource> recorded_walkers() {
-  const MotionSet set = walkers();
-  std::vector<TakeSource> sources;
-  for (const int i : {0, 1, 2}) {
-    const Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
-    const std::string file = testing::TempDir() + "/walker_" + cycle.style + ".bvh";
-    write_file(file, bvh_text(walker_clip(set, cycle, 4)));
-    sources.push_back({file, cycle.style + ".bvh", cycle.style});
-  }
-  return sources;
-}
-
-TEST(BuildSet, FindsTheCycleThatAWalkerRepeats) {
-  const BuiltSet built = build_set(recorded_walkers(), {});
-  ASSERT_EQ(built.set.size(), 3);
-  const MotionSet made = walkers();
-  for (const Cycle& cycle : built.set.cycles) {
-    EXPECT_EQ(cycle.name, cycle.style + "_1");
-    const auto original = std::find_if(made.cycles.begin(), made.cycles.end(),
-                                       [&](const Cycle& c) { return c.style == cycle.style; });
-    EXPECT_NEAR(cycle.seconds, original->seconds, 0.02);
-    EXPECT_LT(cycle.loop_error_m, 0.005);
-    EXPECT_LT(slide(built.set, cycle), 0.008);
-  }
-}
-
-TEST(BuildSet, DoesNotDependOnTheOrderOfTakes) {
-  std::vector<TakeSource> sources = recorded_walkers();
-  const std::string bytes = to_bytes(build_set(sources, {}).set);
-  std::reverse(sources.begin(), sources.end());
-  EXPECT_EQ(to_bytes(build_set(sources, {}).set), bytes);
-}
-
-TEST(BuildSet, RefusesAFigureThatStandsStill) {
-  const MotionSet set = walkers();
-  Clip clip = walker_clip(set, set.cycles[0], 3);
-  for (int f = 1; f < clip.frames(); ++f) clip.values.col(f) = clip.values.col(0);
-  const std::string file = testing::TempDir() + "/still.bvh";
-  write_file(file, bvh_text(clip));
-  EXPECT_THROW(build_set({{file, "still.bvh", "still"}}, {}), InputError);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "motion/bvh.h"
@@ -42,6 +43,34 @@ SetOptions in_metres() {
 
 double slide(const MotionSet& set, const Cycle& cycle) {
   return std::max(stance_slide_m(set, cycle, Side::left), stance_slide_m(set, cycle, Side::right));
+}
+
+TEST(BuildSet, FindsTheCycleThatAWalkerRepeats) {
+  const BuiltSet built = build_set({recorded(0), recorded(1), recorded(2)}, {});
+  ASSERT_EQ(built.set.size(), 3);
+  for (const Cycle& cycle : built.set.cycles) {
+    EXPECT_EQ(cycle.name, cycle.style + "_1");
+    const auto original = std::find_if(walkers().cycles.begin(), walkers().cycles.end(),
+                                       [&](const Cycle& c) { return c.style == cycle.style; });
+    EXPECT_NEAR(cycle.seconds, original->seconds, 0.02);
+    EXPECT_LT(cycle.loop_error_m, 0.005);
+    EXPECT_LT(slide(built.set, cycle), 0.008);
+  }
+}
+
+TEST(BuildSet, DoesNotDependOnTheOrderOfTakes) {
+  std::vector<TakeSource> sources = {recorded(0), recorded(1), recorded(2)};
+  const std::string bytes = to_bytes(build_set(sources, {}).set);
+  std::reverse(sources.begin(), sources.end());
+  EXPECT_EQ(to_bytes(build_set(sources, {}).set), bytes);
+}
+
+TEST(BuildSet, RefusesAFigureThatStandsStill) {
+  Clip clip = walker_clip(walkers(), walkers().cycles[0], 3);
+  for (int f = 1; f < clip.frames(); ++f) clip.values.col(f) = clip.values.col(0);
+  const std::string file = own_file("still.bvh");
+  write_file(file, bvh_text(clip));
+  EXPECT_THROW(build_set({{file, "still.bvh", "still"}}, {}), InputError);
 }
 
 TEST(BuildSet, BringsFiguresOfOtherSizesToOneSkeleton) {
@@ -131,13 +160,15 @@ TEST(BuildSet, TakesAnyCycleThatIsGiven) {
 
 TEST(BuildSet, NamesEveryGivenCycleThatCannotBe) {
   TakeSource source = recorded(0);
-  source.cycles = {{"a", {0, 1, 2, 3, 9999}, {"r.toml", 7, 1}},
-                   {"b", {-5, 1, 2, 3, 4}, {"r.toml", 9, 1}}};
+  source.cycles = {{"a", {0, 1, 2, 3, 9999}, {7, 1}}, {"b", {-5, 1, 2, 3, 4}, {9, 1}}};
+  SetOptions options = in_metres();
+  options.recipe = "r.toml";
   try {
-    build_set({source}, in_metres());
+    build_set({source}, options);
     FAIL();
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems().size(), 2U);
+    EXPECT_EQ(error.problems()[0].file, "r.toml");
     EXPECT_EQ(error.problems()[0].line, 7);
     EXPECT_EQ(error.problems()[1].line, 9);
     EXPECT_EQ(error.problems()[1].message.rfind("normal.bvh has frames 0 to ", 0), 0U);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "study/reach_models.h"
 #include "toy.h"
 
 namespace promenade::study {
@@ -43,7 +44,8 @@ TEST(AutomaticThreshold, IsHalfTheMedianWhereTargetsAreFar) {
 TEST(Reach, FindsExamplesWithADiscreteInterface) {
   const StudyBundle bundle = toy::bundle();
   const Task& task = bundle.study.tasks[0];
-  const Reach found = reach(bundle, toy::registry(), task, 0, task.targets[0]);
+  const Reach found = reach(bundle, toy::registry(), task, 0, task.targets[0],
+                            {.threshold_m = judged_threshold(bundle.space, task)});
   EXPECT_NEAR(found.best, 0, 1e-9);
   EXPECT_NEAR(found.best_example, 0, 1e-9);
   EXPECT_NEAR(found.share_below, 1.0 / 3, 0.15);  // one of three labels; 4 sigma of 200
@@ -54,18 +56,29 @@ TEST(Reach, SeesThatAMixtureIsOutOfReachOfLabels) {
   Target target;
   target.weights = Eigen::Vector3d(0, 0.5, 0.5);
   const Task& task = bundle.study.tasks[0];
-  const Reach labels = reach(bundle, toy::registry(), task, 0, target);
-  const Reach sliders = reach(bundle, toy::registry(), task, 1, target);
+  const Reach labels = reach(bundle, toy::registry(), task, 0, target, {});
+  const Reach sliders = reach(bundle, toy::registry(), task, 1, target, {});
   EXPECT_NEAR(labels.best, labels.best_example, 1e-9);
   EXPECT_GT(labels.best, 0.05);
   EXPECT_LT(sliders.best, 0.01);
 }
 
+TEST(Reach, CountsTheShareBelowTheThresholdItIsGiven) {
+  StudyBundle bundle = toy::bundle();
+  Task& task = bundle.study.tasks[0];
+  task.threshold_m.reset();  // of the study: only Done ends it
+  const Target& target = task.targets[0];
+  EXPECT_EQ(reach(bundle, toy::registry(), task, 1, target, {.threshold_m = 100}).share_below, 1);
+  EXPECT_EQ(reach(bundle, toy::registry(), task, 1, target, {.threshold_m = 0}).share_below, 0);
+}
+
 TEST(Reach, IsTheSameEveryTime) {
   const StudyBundle bundle = toy::bundle();
   const Task& task = bundle.study.tasks[0];
-  const Reach one = reach(bundle, toy::registry(), task, 1, task.targets[0]);
-  const Reach two = reach(bundle, toy::registry(), task, 1, task.targets[0]);
+  const Reach one = reach(bundle, toy::registry(), task, 1, task.targets[0],
+                          {.threshold_m = judged_threshold(bundle.space, task)});
+  const Reach two = reach(bundle, toy::registry(), task, 1, task.targets[0],
+                          {.threshold_m = judged_threshold(bundle.space, task)});
   EXPECT_EQ(one.best, two.best);
   EXPECT_EQ(one.share_below, two.share_below);
 }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "study/fairness.h"
-#include "study/store.h"
+#include "study/identity.h"
 #include "toy.h"
 
 namespace promenade::study {
@@ -127,6 +129,10 @@ INSTANTIATE_TEST_SUITE_P(
                "\"far\"?"},
         Broken{"{ example = \"far\" }", "{ name = 'm', weights = { far = 0.5, side = 0.6 } }",
                "toy.toml:13:36: error: the weights sum to 1.1, but must sum to 1"},
+        Broken{"{ example = \"far\" }", "{ name = 'm', weights = { fra = 0.5, side = 0.6 } }",
+               "toy.toml:13:36: error: the weights sum to 1.1, but must sum to 1\n"
+               "toy.toml:13:44: error: the motion set \"toy\" has no walk \"fra\"; did you mean "
+               "\"far\"?"},
         Broken{"seed = 7", "languages = [\"en\", \"fr\"]",
                "toy.toml:3:20: error: there are no texts in language \"fr\", only in \"en\", "
                "\"ja\""},
@@ -142,6 +148,31 @@ TEST(LoadStudy, NamesAllProblemsInOneRun) {
             "toy.toml:3:1: error: unknown key \"sead\"; did you mean \"seed\"?\n"
             "toy.toml:11:11: error: \"limit_s\" must be a number, but is true or false\n"
             "toy.toml:22:10: error: \"points\" is 1, but must be from 2 to 11");
+}
+
+TEST(LoadStudy, SaysWhatIsWrongBesideALineThatIsNoToml) {
+  std::string text = changed("seed = 7", "set = \"toy\"\nseed = 7seven");
+  text.replace(text.find("\"far\""), 5, "\"fra\"");
+  const std::string said = problems_of(text);
+  EXPECT_EQ(said.rfind("toy.toml:4:", 0), 0U) << said;
+  EXPECT_NE(said.find("no walk \"fra\"; did you mean \"far\"?"), said.npos) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
+}
+
+// The line may have been the one that is missing now.
+TEST(LoadStudy, BlamesNothingOnALineThatIsNoToml) {
+  for (const char* line : {"name = \"mix\"", "name = \"pick\"", "kind = \"match\"", "seed = 7",
+                           "limit_s = 45", "name = \"toy\""}) {
+    const std::string said = problems_of(changed(line, std::string(line) + "\""));
+    EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 0) << line << '\n' << said;
+    EXPECT_NE(said.find("not valid TOML"), said.npos) << said;
+  }
+}
+
+TEST(LoadStudy, SaysWhatIsWrongWithTargetsOfAKindThatIsMisspelt) {
+  std::string text = changed("kind = \"match\"", "kind = \"macth\"");
+  text.replace(text.find("\"far\""), 5, "\"fra\"");
+  EXPECT_NE(problems_of(text).find("no walk \"fra\""), std::string::npos);
 }
 
 TEST(LoadStudy, NamesThePlaceOfAMotionSetThatIsNotThere) {
@@ -267,6 +298,18 @@ TEST(LoadStudy, SurvivesEveryTruncationOfAStudy) {
 
 TEST(Sha256, AgreesWithThePublishedExample) {  // FIPS 180-2, B.1
   EXPECT_EQ(sha256_hex("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+TEST(LoadStudy, ReadsBreaks) {
+  const Study study =
+      toy::bundle(toy::study_text() + "[breaks]\nafter = 'block'\nleast_s = 2.5\n").study;
+  EXPECT_TRUE(study.breaks.after_block);
+  EXPECT_EQ(study.breaks.least_us, 2'500'000);
+  EXPECT_FALSE(toy::bundle().study.breaks.after_block);
+}
+
+TEST(LoadStudy, RefusesBreaksOfMoreThanAnHour) {
+  EXPECT_THROW(toy::bundle(toy::study_text() + "[breaks]\nleast_s = 3601\n"), InputError);
 }
 
 }  // namespace

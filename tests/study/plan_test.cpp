@@ -128,5 +128,19 @@ TEST(BalanceOf, SeesOrdersThatAreNotEven) {
   EXPECT_FALSE(balance_after(study_of(2, Order::fixed), 4).even);
 }
 
+TEST(Plan, BreaksStandBetweenBlocksOnly) {
+  Study study = study_of(3, Order::fixed);
+  study.breaks.after_block = true;
+  const Plan plan = make_plan(study, 0);
+  std::vector<std::size_t> breaks;
+  for (std::size_t i = 0; i < plan.pages.size(); ++i) {
+    if (plan.pages[i].kind == PageKind::break_) breaks.push_back(i);
+  }
+  ASSERT_EQ(breaks.size(), 2U);
+  for (const std::size_t at : breaks) {
+    EXPECT_EQ(plan.pages[at + 1].kind, PageKind::instructions);
+  }
+}
+
 }  // namespace
 }  // namespace promenade::study

@@ -33,6 +33,26 @@ AdjectiveModel toy_adjectives(const std::vector<std::string>& motions) {
   return make_adjective_model(make_ratings_table(ratings, motions), "test");
 }
 
+// The features of the same walks tell at least the two ends of what was rated apart.
+TEST(ReachModels, TellAdjectivesFromFeaturesWhereNobodyRated) {
+  const StudyBundle bundle = toy::bundle();
+  const AdjectiveModel model = toy_adjectives({"near", "side", "far"});
+  const auto predicted = predict_adjectives(model, bundle.space.set, bundle.space.set);
+  EXPECT_EQ(predicted.names, model.names);
+  EXPECT_GE(predicted.primary.minCoeff(), 0);
+  EXPECT_LE(predicted.primary.maxCoeff(), 1);
+  const ReachModels models = make_reach_models(bundle, predicted);
+  ASSERT_NE(find_map(models, "adjectives"), nullptr);
+  EXPECT_FALSE(models.adjectives);
+  EXPECT_TRUE(models.missing.empty());
+}
+
+TEST(ReachModels, CannotTellAdjectivesFromTwoMotions) {
+  motion::MotionSet two = toy::motion_set();
+  two.cycles.pop_back();
+  EXPECT_THROW(predict_adjectives(toy_adjectives({"near", "side"}), two, two), InputError);
+}
+
 TEST(ReachModels, TakeTheRatingsTheyAreGiven) {
   const ReachModels models =
       make_reach_models(toy::bundle(), toy_adjectives({"near", "side", "far"}));

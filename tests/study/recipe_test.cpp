@@ -129,6 +129,28 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
   for (const BrokenRecipe& broken : table) EXPECT_EQ(problems_with_takes(broken.text), broken.said);
 }
 
+TEST(Recipe, WithoutItsFolderKnowsTheKeysOfTakesAndCutsAllTheSame) {
+  EXPECT_EQ(problems_of("name = 'x'\ncredit = 'y'\nfolder = 'nowhere'\n"
+                        "[[take]]\nfile = 'a.bvh'\nstlye = 'b'\n"
+                        "[[take.cycle]]\nfrist = 1\nlast = 9\n"
+                        "[cuts]\nfile = 'c.csv'\nstyle = 's'\nform = 'f'\nto = 't'\n"),
+            "r.toml:3:10: error: there is no folder nowhere; give another one with --folder DIR\n"
+            "r.toml:6:1: error: unknown key \"stlye\"; did you mean \"style\"?\n"
+            "r.toml:7:1: error: \"first\" is missing here\n"
+            "r.toml:8:1: error: unknown key \"frist\"; did you mean \"first\"?\n"
+            "r.toml:10:1: error: \"from\" is missing here\n"
+            "r.toml:13:1: error: unknown key \"form\"; did you mean \"from\"?");
+}
+
+TEST(Recipe, WithALineThatIsNoTomlSaysWhatElseIsWrong) {
+  const std::string said = problems_of(
+      "name = 'x\ncredit = 'y'\nfolder = 'nowhere'\ncycles_per_take = 99\nskelton = 'a'\n");
+  EXPECT_EQ(said.rfind("r.toml:1:", 0), 0U) << said;
+  EXPECT_NE(said.find("r.toml:4:19: error: \"cycles_per_take\" is 99"), said.npos) << said;
+  EXPECT_NE(said.find("r.toml:5:1: error: unknown key \"skelton\""), said.npos) << said;
+  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 2) << said;
+}
+
 TEST(Recipe, NamesWhatIsWrongWithATableOfCuts) {
   const std::string good = "[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'A'\nto = 'B'\n";
   EXPECT_EQ(problems_with_takes(good), "");
@@ -137,7 +159,7 @@ TEST(Recipe, NamesWhatIsWrongWithATableOfCuts) {
   EXPECT_EQ(problems_with_takes("[cuts]\nfile = 'cuts.csv'\nstyle = 'S'\nfrom = 'C'\nto = 'B'\n"),
             "r.toml:7:8: error: full/cuts.csv has no column \"C\"");
   EXPECT_EQ(problems_with_takes("[[take]]\nfile = 'a.bvh'\nstyle = 'b'\n" + good),
-            "full/cuts.csv:3: error: does not say from which to which frame a.bvh is good");
+            "full/cuts.csv:3:3: error: does not say from which to which frame a.bvh is good");
   EXPECT_EQ(problems_with_takes("[[take]]\nfile = 'a.bvh'\nstyle = 'z'\n" + good),
             "full/cuts.csv: error: has no row for the style \"z\"");
 }
@@ -205,27 +227,6 @@ TEST(Recipe, ThatIsNoTomlSaysSoAndNothingElse) {
 
 TEST(Recipe, ThatIsNotThereIsAnInputError) {
   EXPECT_THROW(load_recipe("/nowhere/r.toml"), InputError);
-}
-
-TEST(StyleOf, IsWhatTheMarkStandsForOrTheWholeName) {
-  EXPECT_EQ(style_of("walk_sad_1.bvh", "walk_{style}_*.bvh"), "sad");
-  EXPECT_EQ(style_of("walk_not-so_sad_1.bvh", "walk_{style}_?.bvh"), "not-so_sad");
-  EXPECT_EQ(style_of("sad.bvh", "*.bvh"), "sad");
-  EXPECT_EQ(style_of("walk__1.bvh", "walk_{style}_1.bvh"), std::nullopt);
-  EXPECT_EQ(style_of("sad.amc", "*.bvh"), std::nullopt);
-}
-
-TEST(StyleOf, IsFoundInAFolderOrAFile) {
-  EXPECT_EQ(style_of("Angry/take_1.bvh", "{style}/take_*.bvh"), "Angry");
-  EXPECT_EQ(style_of("a/Old_FW.bvh", "*/{style}_FW.bvh"), "Old");
-  EXPECT_EQ(style_of("a/b/Old_FW.bvh", "*/{style}_FW.bvh"), std::nullopt);
-  EXPECT_EQ(style_of("Old_FW.bvh", "*/{style}_FW.bvh"), std::nullopt);
-}
-
-TEST(StyleOf, TakesNoTimeWhereAPatternFitsInManyWays) {
-  const std::string name(255, 'a');
-  EXPECT_EQ(style_of(name, "*a*a*a*a*{style}*b"), std::nullopt);
-  EXPECT_EQ(style_of(name + "b", "*a*a*a*a*{style}*b"), "a");
 }
 
 // Three generated walkers of four cycles each, as a laboratory would leave them, beside

@@ -7,6 +7,7 @@
 
 #include "motion/models/adjective_pairs.h"
 #include "study/adjective_model.h"
+#include "study/ratings_csv.h"
 
 namespace promenade::study {
 namespace {

@@ -12,6 +12,7 @@
 #include <future>
 
 #include "play.h"
+#include "study/identity.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
 #include "toy.h"
@@ -99,6 +100,23 @@ TEST_F(StoreTest, KeepsTheVeryNumbers) {
     ASSERT_EQ(rows.blob(2).size(), 3 * sizeof(double));
     EXPECT_EQ(std::memcmp(rows.blob(2).data(), sample.weights.data(), 24), 0);
   }
+}
+
+TEST_F(StoreTest, KeepsHowLongATrialStood) {
+  const StudyBundle bundle = toy::bundle();
+  toy::Player player(bundle);
+  player.to_trial(0);
+  player.at(1'000'000, Pause{});
+  player.at(8'500'000, Resume{});
+  player.at(9'000'000, Done{});
+  Store store(file(), bundle);
+  store.begin_session(header("P01"), player.session.plan());
+  for (const Record& record : player.records) store.write(record);
+  store.flush();
+  EXPECT_EQ(count("SELECT paused_us FROM trial"), 7'500'000);
+  EXPECT_EQ(count("SELECT count(*) FROM event WHERE kind IN ('pause', 'resume') AND "
+                  "actor = 'participant' AND trial IS NOT NULL"),
+            2);
 }
 
 TEST_F(StoreTest, HoldsTheMotionsThatWereShown) {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "motion/models/adjective_pairs.h"
+#include "motion/models/features.h"
 #include "motion/problem.h"
 
 namespace promenade::study {
@@ -40,6 +42,23 @@ TEST(Texts, ReplaceTheSameWordsInEveryLanguage) {
     const Texts texts = load_texts(language);
     for (const std::string& key : english.keys()) {
       EXPECT_EQ(placeholders(texts(key)), placeholders(english(key))) << language << ' ' << key;
+    }
+  }
+}
+
+TEST(Texts, HaveAWordForEveryAdjectiveAndANameForEveryFeature) {
+  for (const std::string& language : known_languages()) {
+    const Texts texts = load_texts(language);
+    for (const motion::AdjectivePair& pair : motion::adjective_pairs) {
+      for (const std::string_view word : {pair.left, pair.right}) {
+        EXPECT_NE(texts.find("adjective." + std::string(word)), nullptr) << language << word;
+      }
+    }
+    for (const std::string_view feature : motion::feature_names()) {
+      EXPECT_NE(texts.find("feature." + std::string(feature)), nullptr) << language << feature;
+    }
+    for (const char* cluster : {"quickness", "clearness", "activeness", "largeness"}) {
+      EXPECT_NE(texts.find("cluster." + std::string(cluster)), nullptr) << language << cluster;
     }
   }
 }

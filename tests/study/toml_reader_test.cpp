@@ -49,12 +49,25 @@ TEST(TomlReader, RefusesNotANumberAsOutOfRange) {
   EXPECT_EQ(problems_of(reader), "a.toml:1:5: error: \"a\" is nan, but must be from 0 to 1");
 }
 
-TEST(TomlReader, SaysOnlyThatABrokenFileIsBroken) {
+TEST(TomlReader, SaysOfABrokenFileNothingAboutWhatItLacks) {
   TomlReader reader("a.toml", "a = 1\nb = = 2\n");
   reader.root().required_text("name");
+  reader.root().scalar("a");
   const std::string text = problems_of(reader);
   EXPECT_EQ(text.rfind("a.toml:2:5: error: not valid TOML: ", 0), 0U) << text;
   EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+}
+
+TEST(TomlReader, LeavesOutLinesThatAreNoTomlAndReadsTheOthers) {
+  TomlReader reader("a.toml", "a = 'x\n[t]\nb = [1, 2\nc = 3 4\nd = true\n");
+  EXPECT_FALSE(reader.parsed());  // the list is open: nothing behind it is certain
+  TomlReader other("a.toml", "a = 'x\n[t]\nc = 3 4\nd = true\n");
+  EXPECT_TRUE(other.parsed());
+  EXPECT_FALSE(other.whole());
+  EXPECT_EQ(other.root().table("t").value_or(other.empty()).boolean("d"), true);
+  const std::string text = problems_of(other);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_NE(text.find("a.toml:3:"), std::string::npos) << text;
 }
 
 TEST(TomlReader, NamesWrongElementsOfAListAtTheirPlace) {

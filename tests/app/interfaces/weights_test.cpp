@@ -1,3 +1,4 @@
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "tests/app/panel_bench.h"
@@ -71,6 +72,25 @@ TEST(Weights, AllAtZeroShowsTheAverageAndSaysSo) {
   panel.drag("proud", 0);
   EXPECT_EQ(panel.weights(), study::start_weights(bench::space()));
   EXPECT_GT(panel.vertices(), vertices + 4 * 30);  // a sentence more, four corners a letter
+}
+
+TEST(Weights, ResetBringsAllBackToTheMiddle) {
+  PanelBench panel("weights");
+  panel.click("only", "proud");
+  panel.click("reset", "");
+  EXPECT_LT((panel.weights() - study::start_weights(bench::space())).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(Weights, ArrowKeysMoveTheSliderThatHasTheKeyboard) {
+  PanelBench panel("weights");
+  const Widget knob = *panel.find("slide", "old");
+  panel.move_to(knob.knob, knob.box.middle_y());
+  panel.press();
+  panel.release();
+  panel.key(GLFW_KEY_RIGHT);
+  ASSERT_EQ(panel.log().size(), 1U);
+  EXPECT_EQ(panel.log()[0].target, "old");
+  EXPECT_NEAR(panel.log()[0].value, 0.51, 1e-12);
 }
 
 TEST(Weights, TenFitWithoutScrolling) {

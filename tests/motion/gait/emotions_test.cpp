@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 namespace promenade::motion::gait {
@@ -13,7 +14,8 @@ GaitStyle walk(const std::string& name) {
   const std::vector<GaitStyle> styles = styles_of_set_b();
   const auto found = std::find_if(styles.begin(), styles.end(),
                                   [&](const GaitStyle& style) { return style.name == name; });
-  return found == styles.end() ? GaitStyle{} : *found;
+  if (found == styles.end()) throw std::out_of_range("set B has no walk " + name);
+  return *found;
 }
 
 TEST(SetBStyles, LieOnRussellsCircle) {

@@ -25,6 +25,17 @@ TEST(ACentredGram, IsTheProductOfTheCentredColumns) {
   }
 }
 
+TEST(ACentredGram, HasTheSameDigitsOnEveryProcessor) {
+  if (!has_wide()) GTEST_SKIP() << "this processor has no AVX2: there is one way here";
+  Random random(4);
+  for (const int n : {1, 3, 16, 27, 55}) {
+    for (const int d : {1, 64, 301}) {
+      const MatrixXd x = random.normals(d, n);
+      EXPECT_EQ(centred_gram(x, true), centred_gram(x, false)) << n << " columns of " << d;
+    }
+  }
+}
+
 TEST(ACentredGram, DoesNotSeeWhereTheColumnsLie) {
   const MatrixXd x = Random(2).normals(200, 9);
   const MatrixXd moved = x.colwise() + Eigen::VectorXd(Random(3).normals(200, 1));

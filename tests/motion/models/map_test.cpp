@@ -198,11 +198,5 @@ TEST(LeaveOneOutLimit, IsThatOfCovariancesComputedAnew) {
   EXPECT_NEAR(leave_one_out_limit(x, 0.95), quantile(distances, 0.95), 1e-9);
 }
 
-TEST(AQuantile, IsLinearBetweenOrderStatistics) {
-  EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 0.5), 2.5);
-  EXPECT_DOUBLE_EQ(quantile({4, 1, 3, 2}, 1), 4);
-  EXPECT_DOUBLE_EQ(quantile({7}, 0.3), 7);
-}
-
 }  // namespace
 }  // namespace promenade::motion

@@ -1,13 +1,15 @@
-#include "app/commands/cycle_picture.h"
+#include "analysis/cycle_picture.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
-namespace promenade::app {
+#include "analysis/svg.h"
+#include "motion/angles.h"
+
+namespace promenade::analysis {
 namespace {
 
 using motion::CycleCandidate;
@@ -18,68 +20,11 @@ using motion::TakeRecord;
 
 constexpr int width = 1280, height = 720;
 constexpr double plot_left = 84, plot_right = 880;  // of everything over time
+constexpr const char* title_colour = "#16181c";
 constexpr const char* left_colour = "#2266aa";
 constexpr const char* right_colour = "#cc4433";
 constexpr const char* chosen_colour = "#f2c14e";
 constexpr const char* quiet_colour = "#8a8f98";
-
-std::string escaped(const std::string& plain) {
-  std::string text;
-  for (const char c : plain) {
-    if (c == '<') {
-      text += "&lt;";
-    } else if (c == '&') {
-      text += "&amp;";
-    } else {
-      text += static_cast<unsigned char>(c) < 32 ? ' ' : c;
-    }
-  }
-  return text;
-}
-
-// An SVG while it grows.
-class Svg {
- public:
-  Svg() {
-    text_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-        "height=\"{1}\" font-family=\"Noto Sans, sans-serif\" font-size=\"13\">\n"
-        "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-        width, height);
-  }
-  void rect(double x, double y, double w, double h, const std::string& fill) {
-    add("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\"/>\n", x, y,
-        std::max(w, 0.0), h, fill);
-  }
-  void line(double x1, double y1, double x2, double y2, const std::string& colour,
-            double thick = 1) {
-    add("<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
-        "stroke-width=\"{:.1f}\" stroke-linecap=\"round\"/>\n",
-        x1, y1, x2, y2, colour, thick);
-  }
-  void words(double x, double y, const std::string& plain, const char* anchor = "start",
-             const std::string& colour = "#30343a", int size = 13) {
-    add("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" fill=\"{}\" "
-        "font-size=\"{}\">{}</text>\n",
-        x, y, anchor, colour, size, escaped(plain));
-  }
-  void curve(const std::vector<Eigen::Vector2d>& points, const std::string& colour) {
-    std::string list;
-    for (const auto& p : points) {
-      fmt::format_to(std::back_inserter(list), "{:.1f},{:.1f} ", p.x(), p.y());
-    }
-    add("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.6\"/>\n", list,
-        colour);
-  }
-  std::string finish() { return text_ + "</svg>\n"; }
-
- private:
-  template <class... Arguments>
-  void add(fmt::format_string<Arguments...> form, Arguments&&... arguments) {
-    fmt::format_to(std::back_inserter(text_), form, std::forward<Arguments>(arguments)...);
-  }
-  std::string text_;
-};
 
 // Frames of a take as places on the paper.
 struct TimeAxis {
@@ -250,7 +195,8 @@ void draw_figures(Svg& svg, const motion::Cycle& cycle, const CycleReport& repor
       {"slide of a standing foot",
        millimetres(std::max(report.slide_left_m, report.slide_right_m))},
       {"most that a joint was moved", millimetres(report.from_capture_m)},
-      {"turn that was taken out", fmt::format("{:.1f} degrees", cycle.origin.turn * 180 / M_PI)},
+      {"turn that was taken out",
+       fmt::format("{:.1f} degrees", cycle.origin.turn / motion::degree)},
   }};
   double y = 80;
   for (const auto& [name, value] : lines) {
@@ -265,8 +211,8 @@ void draw_figures(Svg& svg, const motion::Cycle& cycle, const CycleReport& repor
 std::string cycle_picture(const motion::BuiltSet& built, const CycleReport& report) {
   const auto index = static_cast<std::size_t>(motion::find_cycle(built.set, report.cycle));
   const motion::Cycle& cycle = built.set.cycles[index];
-  Svg svg;
-  svg.words(plot_left, 34, cycle.name, "start", "#16181c", 20);
+  Svg svg(width, height);
+  svg.words(plot_left, 34, cycle.name, "start", title_colour, 20);
   svg.words(plot_right, 34,
             fmt::format("{}, frames {} to {}, {:.2f} s", cycle.source, cycle.first_frame,
                         cycle.first_frame + cycle.frames, cycle.seconds),
@@ -279,4 +225,4 @@ std::string cycle_picture(const motion::BuiltSet& built, const CycleReport& repo
   return svg.finish();
 }
 
-}  // namespace promenade::app
+}  // namespace promenade::analysis

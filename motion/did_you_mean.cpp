@@ -1,8 +1,8 @@
-#include "study/did_you_mean.h"
+#include "motion/did_you_mean.h"
 
 #include <algorithm>
 
-namespace promenade::study {
+namespace promenade {
 
 int edit_distance(std::string_view a, std::string_view b) {
   std::vector<int> before_last(b.size() + 1);
@@ -24,6 +24,18 @@ int edit_distance(std::string_view a, std::string_view b) {
 
 namespace {
 
+// What files hold must not cost more than it is worth.
+constexpr std::size_t longest_name = 80;
+constexpr std::size_t most_candidates = 2000;
+
+std::string lower(std::string_view word) {
+  std::string text(word);
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 std::size_t common_beginning(std::string_view a, std::string_view b) {
   const std::size_t length = std::min(a.size(), b.size());
   return static_cast<std::size_t>(std::mismatch(a.begin(), a.begin() + length, b.begin()).first -
@@ -34,8 +46,12 @@ std::size_t common_beginning(std::string_view a, std::string_view b) {
 
 std::string closest_name(std::string_view name, const std::vector<std::string>& candidates) {
   std::string best;
+  if (name.size() > longest_name) return best;
   int least = std::max(1, static_cast<int>(name.size()) / 3);
-  for (const std::string& candidate : candidates) {
+  const std::size_t count = std::min(candidates.size(), most_candidates);
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::string& candidate = candidates[c];
+    if (candidate.size() > longest_name) continue;
     const int distance = edit_distance(name, candidate);
     if (distance > least) continue;
     const bool equal = distance == least && !best.empty();
@@ -44,6 +60,16 @@ std::string closest_name(std::string_view name, const std::vector<std::string>& 
     best = candidate;
   }
   return best;
+}
+
+std::string closest_name_of_any_case(std::string_view name,
+                                     const std::vector<std::string>& candidates) {
+  std::vector<std::string> lower_candidates;
+  for (const std::string& candidate : candidates) lower_candidates.push_back(lower(candidate));
+  const std::string found = closest_name(lower(name), lower_candidates);
+  const auto at = std::find(lower_candidates.begin(), lower_candidates.end(), found);
+  if (found.empty() || at == lower_candidates.end()) return "";
+  return candidates[static_cast<std::size_t>(at - lower_candidates.begin())];
 }
 
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
@@ -57,4 +83,4 @@ std::string quoted_list(const std::vector<std::string>& names) {
   return text;
 }
 
-}  // namespace promenade::study
+}  // namespace promenade

@@ -1,0 +1,56 @@
+#include "app/interfaces_page.h"
+
+#include <fmt/format.h>
+
+namespace promenade::app {
+namespace {
+
+using study::InterfaceType;
+using study::ParameterSpec;
+
+std::string value_text(const study::ParameterValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return "\"" + std::get<std::string>(value) + "\"";
+}
+
+std::string allowed_text(const ParameterSpec& spec) {
+  if (std::holds_alternative<bool>(spec.standard)) return "true or false";
+  if (std::holds_alternative<double>(spec.standard)) return "a number";
+  if (spec.choices.empty()) return "a text";
+  std::string text;
+  for (const std::string& choice : spec.choices) text += (text.empty() ? "" : ", ") + choice;
+  return text;
+}
+
+std::string parameters_table(const InterfaceType& type) {
+  if (type.parameters.empty()) return "It has no settings.\n";
+  std::string text = "| setting | allowed | standard | meaning |\n| --- | --- | --- | --- |\n";
+  for (const ParameterSpec& spec : type.parameters) {
+    text += fmt::format("| `{}` | {} | `{}` | {} |\n", spec.name, allowed_text(spec),
+                        value_text(spec.standard), spec.sentence);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string interfaces_page(const study::InterfaceRegistry& registry, const study::Texts& texts) {
+  std::string page =
+      "# Interfaces\n\n"
+      "What a study can compare. Each is one file, `app/interfaces/NAME.cpp`; this page is made\n"
+      "from their declarations by `tools/docs`. A study names one in an `[[interface]]` and may\n"
+      "change its settings there; it may list one several times, with different settings and\n"
+      "names.\n\n"
+      "Common to all: undo (Ctrl-Z) and redo (Ctrl-Y), \"Start over\", every control by keyboard\n"
+      "(Tab, arrow keys, Enter), and a log of all that was done.\n";
+  for (const InterfaceType& type : registry.all()) {
+    const std::string key = "interface." + type.name;
+    page += fmt::format("\n## {}\n\n{}\n\nParticipants read: \"{}\" - {}\n\n{}", type.name,
+                        type.sentence, texts(key + ".title"), texts(key + ".hint"),
+                        parameters_table(type));
+  }
+  return page;
+}
+
+}  // namespace promenade::app

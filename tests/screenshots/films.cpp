@@ -1,0 +1,188 @@
+#include "tests/screenshots/films.h"
+
+#include <GLFW/glfw3.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <set>
+
+#include "app/registry.h"
+
+namespace promenade::app::screenshots {
+namespace {
+
+using study::PageKind;
+
+constexpr int inputs = 6;  // done to the controls of each trial
+
+std::string name_of(const Studio& studio, const study::StudyBundle& bundle) {
+  const study::Page& page = studio.session().page();
+  std::string name(study::to_text(page.kind));
+  if (page.trial < 0) return name;
+  const study::PlannedTrial& planned = studio.planned();
+  const study::TaskKind task = study::task_of(bundle.study, planned).kind;
+  if (page.kind != PageKind::trial && page.kind != PageKind::instructions) {
+    return name + (task == study::TaskKind::match ? "" : "-find");
+  }
+  if (page.kind == PageKind::trial && planned.practice) name = "practice";
+  if (task == study::TaskKind::find) name = "find";
+  return name + "-" + bundle.study.interfaces[static_cast<std::size_t>(planned.interface)].name;
+}
+
+bool with_interface(const Studio& studio) {
+  const PageKind kind = studio.session().page().kind;
+  return kind == PageKind::trial || kind == PageKind::instructions;
+}
+
+void answer_all(Studio& studio) {
+  for (const study::Rating& rating : studio.bundle().study.ratings) {
+    studio.take(study::SetAnswer{rating.item, 4});
+  }
+}
+
+void leave_page(Studio& studio) {
+  switch (studio.session().page().kind) {
+    case PageKind::welcome:
+      return studio.begin_as("P07");
+    case PageKind::trial:
+      // Practice runs out of time, so that the next page says so.
+      if (studio.planned().practice) return studio.pass(46);
+      return studio.take(study::Done{});
+    case PageKind::rating:
+      answer_all(studio);
+      return studio.take(study::Continue{});
+    case PageKind::break_:
+      studio.pass(21);
+      return studio.take(study::Continue{});
+    default:
+      return studio.take(study::Continue{});
+  }
+}
+
+ViewOptions options_of(const Film& film, const std::string& language) {
+  ViewOptions options;
+  options.language = film.asks_language ? "" : language;
+  options.pilot = film.pilot;
+  return options;
+}
+
+void shoot_pages(const Film& film, Studio& studio, const Reel& reel) {
+  std::set<std::string> seen;
+  while (!studio.view().ended()) {
+    const std::string name = name_of(studio, film.bundle);
+    const bool wanted = reel.wants(name) && seen.count(name) == 0 &&
+                        (with_interface(studio) || !film.interfaces_only);
+    if (wanted) {
+      seen.insert(name);
+      studio.play(inputs);
+      studio.pass(1);
+      reel.album.add(reel.prefix, name, studio.shoot());
+    }
+    leave_page(studio);
+  }
+}
+
+void to_page(Studio& studio, PageKind kind) {
+  while (studio.session().page().kind != kind) leave_page(studio);
+}
+
+// A trial that counts, in the middle of it.
+void to_trial(Studio& studio) {
+  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
+  studio.play(inputs);
+  studio.pass(1);
+}
+
+void to_pause(Studio& studio) {
+  to_trial(studio);
+  studio.press_key(GLFW_KEY_ESCAPE);
+}
+
+void to_declined(Studio& studio) {
+  to_page(studio, PageKind::consent);
+  studio.take(study::Decline{});
+}
+
+void to_matched(Studio& studio) {
+  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
+  const study::Target& target = study::target_of(studio.bundle().study, studio.planned());
+  studio.take(study::Control{{.kind = "pick", .target = target.name}});
+  studio.pass(2);
+}
+
+// The disk is full: no file may grow any more.
+void to_error(Studio& studio) {
+  to_trial(studio);
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit full{1, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  studio.play(3);
+  setrlimit(RLIMIT_FSIZE, &before);
+}
+
+Film one_picture(const std::string& name, const Scene& scene,
+                 std::function<void(Studio&)> play = to_trial) {
+  return {.bundle = make_study(scene), .name = name, .play = std::move(play)};
+}
+
+// The interfaces of the pictures that show something else; whichever there are.
+std::vector<std::string> usual() {
+  for (const char* name : {"map", "labels"}) {
+    if (interfaces().find(name) != nullptr) return {name};
+  }
+  return {interfaces().all().front().name};
+}
+
+void add_pages(std::vector<Film>& films) {
+  films.push_back(one_picture("language", {.interfaces = usual()}, [](Studio&) {}));
+  films.back().asks_language = true;
+  films.push_back(one_picture("declined", {.interfaces = usual()}, to_declined));
+  films.push_back(one_picture("pause", {.interfaces = usual()}, to_pause));
+  films.push_back(one_picture("error", {.interfaces = usual()}, to_error));
+  films.push_back(one_picture(
+      "matched", {.match = "threshold = \"auto\"", .interfaces = {"labels"}}, to_matched));
+}
+
+void add_variants(std::vector<Film>& films) {
+  films.push_back(one_picture("blind", {.match = "blind = true", .interfaces = usual()}));
+  films.push_back(one_picture("playback", {.match = "playback = true", .interfaces = usual()}));
+  films.push_back(one_picture("pilot", {.interfaces = usual()}));
+  films.back().pilot = true;
+  films.push_back(one_picture("small", {.display = "scale = 0.7", .interfaces = usual()}));
+  for (const char* set : {"builtin:A", "builtin:N"}) {
+    films.push_back(one_picture("wall", {.set = set,
+                                         .display = "examples = \"panel\"",
+                                         .match = "playback = true",
+                                         .interfaces = usual()}));
+  }
+}
+
+}  // namespace
+
+std::vector<Film> all_films() {
+  std::vector<Film> films;
+  films.push_back({.bundle = make_study({.breaks = "after = \"block\"\nleast_s = 20"})});
+  films.push_back({.bundle = make_study({.set = "builtin:N"}), .interfaces_only = true});
+  const std::vector<study::InterfaceUse> uses = films.front().bundle.study.interfaces;
+  add_pages(films);
+  add_variants(films);
+  for (const study::InterfaceUse& use : uses) {
+    films.push_back(one_picture("paper-" + use.name,
+                                {.display = "colours = \"paper\"", .interfaces = {use.name}}));
+    const Scene longer{.interfaces = {use.name}, .long_names = true};
+    if (can_have(longer, use.name)) films.push_back(one_picture("long-" + use.name, longer));
+  }
+  return films;
+}
+
+void shoot_film(const Film& film, Room& room, const std::string& language, const Reel& reel) {
+  if (!film.name.empty() && !reel.wants(film.name)) return;
+  Studio studio(room, film.bundle, options_of(film, language));
+  if (film.name.empty()) return shoot_pages(film, studio, reel);
+  film.play(studio);
+  reel.album.add(reel.prefix, film.name, studio.shoot());
+}
+
+}  // namespace promenade::app::screenshots

@@ -1,0 +1,117 @@
+// [study] ratings: a file of people's ratings gives the adjectives of the set.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "motion/problem.h"
+#include "study/adjective_model.h"
+#include "study/reach_models.h"
+#include "toy.h"
+
+namespace promenade::study {
+namespace {
+
+// An interface that asks for adjectives and shows nothing of them.
+InterfaceRegistry asking_registry() {
+  InterfaceRegistry registry;
+  InterfaceType type = *toy::registry().find("pick");
+  type.prepare = [](const InterfaceResources& resources, const Parameters&) -> PreparedModel {
+    return {nullptr, resources.adjectives() ? "" : "nobody has rated"};
+  };
+  registry.add(type);
+  registry.add(*toy::registry().find("mix"));
+  return registry;
+}
+
+class RatingsFile : public testing::Test {
+ protected:
+  RatingsFile() : folder_(std::filesystem::path(testing::TempDir()) / "ratings_test" / name()) {
+    std::filesystem::create_directories(folder_);
+  }
+  static std::string name() {
+    return testing::UnitTest::GetInstance()->current_test_info()->name();
+  }
+  void write(const std::string& rows) {
+    std::ofstream(folder_ / "r.csv") << "rater,motion,pair,value\n" << rows;
+  }
+  StudyBundle load() const {
+    std::string text = toy::study_text();
+    const std::string line = "[study]\n";
+    text.insert(text.find(line) + line.size(), "ratings = \"r.csv\"\n");
+    return read_study((folder_ / "study.toml").string(), text, asking_registry(),
+                      [](const std::string&, const std::string&) { return toy::motion_set(); });
+  }
+  std::string problems() const {
+    try {
+      load();
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  // Two raters who agree: near is fast, far is slow.
+  static std::string people(const std::string& rater = "p") {
+    std::string rows;
+    for (const char* const who : {"1", "2"}) {
+      rows += rater + who + ",near,slow-fast,2\n" + rater + who + ",side,slow-fast,0\n";
+      rows += rater + who + ",far,slow-fast,-2\n";
+    }
+    return rows;
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(RatingsFile, GivesTheAdjectivesOfTheSet) {
+  write(people());
+  const StudyBundle bundle = load();
+  ASSERT_NE(bundle.adjectives, nullptr);
+  EXPECT_FALSE(bundle.adjectives->simulated());
+  EXPECT_EQ(bundle.adjectives->quantification.primary, Eigen::RowVector3d(1, 0.5, 0));
+  EXPECT_TRUE(bundle.warnings.empty());
+}
+
+TEST_F(RatingsFile, IsWhatCheckJudgesBy) {
+  write(people());
+  const ReachModels models = make_reach_models(load());
+  ASSERT_TRUE(models.adjectives);
+  EXPECT_EQ(models.adjectives->source, "r.csv");
+}
+
+TEST_F(RatingsFile, IsPartOfTheStudysHash) {
+  write(people());
+  const std::string before = load().sha256;
+  EXPECT_EQ(load().sha256, before);
+  write(people("q"));
+  EXPECT_NE(load().sha256, before);
+}
+
+TEST_F(RatingsFile, OfSimulatedRatersIsWarnedAbout) {
+  write(people("simulated-"));
+  const StudyBundle bundle = load();
+  ASSERT_EQ(bundle.warnings.size(), 1U);
+  EXPECT_NE(bundle.warnings[0].message.find("simulated raters"), std::string::npos);
+  EXPECT_GT(bundle.warnings[0].line, 0);
+}
+
+TEST_F(RatingsFile, HasItsProblemsNamedAtTheirPlaces) {
+  write(people() + "p1,neer,slow-fast,1\n");
+  EXPECT_NE(problems().find("r.csv:8:"), std::string::npos) << problems();
+  EXPECT_NE(problems().find("did you mean \"near\""), std::string::npos) << problems();
+}
+
+TEST_F(RatingsFile, MustHaveRatedEveryMotion) {
+  write("p,near,slow-fast,1\np,far,slow-fast,1\n");
+  EXPECT_NE(problems().find("no rating of \"side\""), std::string::npos) << problems();
+}
+
+TEST_F(RatingsFile, MustBeThere) {
+  std::filesystem::remove(folder_ / "r.csv");
+  const std::string text = problems();
+  EXPECT_NE(text.find("study.toml:"), std::string::npos) << text;
+  EXPECT_NE(text.find("cannot use the ratings \"r.csv\""), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace promenade::study
