@@ -125,7 +125,7 @@ Cast SessionView::cast() const {
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());
   const bool match = task.kind == study::TaskKind::match;
-  return {.target = match ? &average_ : nullptr, .created = &average_, .blind = task.blind};
+  return {.target = match ? &average_ : nullptr, .created = task.blind ? nullptr : &average_};
 }
 
 const study::PlannedTrial& SessionView::planned() const {
