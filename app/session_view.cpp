@@ -123,8 +123,9 @@ Cast SessionView::cast() const {
             .blind = task.blind};
   }
   if (session.page().kind != PageKind::instructions) return {};
-  const bool match = task_of(bundle_.study, planned()).kind == study::TaskKind::match;
-  return {.target = match ? &average_ : nullptr, .created = &average_};
+  const study::Task& task = task_of(bundle_.study, planned());
+  const bool match = task.kind == study::TaskKind::match;
+  return {.target = match ? &average_ : nullptr, .created = task.blind ? nullptr : &average_};
 }
 
 const study::PlannedTrial& SessionView::planned() const {
