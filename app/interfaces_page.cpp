@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace promenade::app {
 namespace {
 
@@ -16,7 +18,11 @@ std::string value_text(const study::ParameterValue& value) {
 
 std::string allowed_text(const ParameterSpec& spec) {
   if (std::holds_alternative<bool>(spec.standard)) return "true or false";
-  if (std::holds_alternative<double>(spec.standard)) return "a number";
+  if (std::holds_alternative<double>(spec.standard)) {
+    std::string text = spec.whole ? "a whole number" : "a number";
+    if (std::isfinite(spec.least)) text += fmt::format(" from {}", spec.least);
+    return std::isfinite(spec.most) ? text + fmt::format(" to {}", spec.most) : text;
+  }
   if (spec.choices.empty()) return "a text";
   std::string text;
   for (const std::string& choice : spec.choices) text += (text.empty() ? "" : ", ") + choice;

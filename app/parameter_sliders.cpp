@@ -147,6 +147,14 @@ void ParameterSliders::weights(std::int64_t t_us, VectorXd& weights) const {
   if (share < 1) weights += (1 - share) * (from_ - target_);
 }
 
+// Undo eases the figure over as every change of the sliders does.
+void ParameterSliders::restored(const InterfaceState& left, const VectorXd& shown,
+                                std::int64_t t_us) {
+  weights_visible_ = static_cast<const ParameterSliders&>(left).weights_visible_;
+  from_ = shown;
+  began_us_ = t_us;
+}
+
 double ParameterSliders::weight_at(std::int64_t t_us, int cycle) const {
   return target_(cycle) + (1 - eased(t_us)) * (from_(cycle) - target_(cycle));
 }

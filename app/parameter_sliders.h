@@ -89,6 +89,8 @@ class ParameterSliders final : public study::InterfaceState {
   study::Applied apply(const study::ControlInput& input) override;
   void weights(std::int64_t t_us, Eigen::VectorXd& weights) const override;
   std::vector<study::ControlInput> settings() const override;
+  void restored(const InterfaceState& left, const Eigen::VectorXd& shown,
+                std::int64_t t_us) override;
 
   double weight_at(std::int64_t t_us, int cycle) const;
   const SliderCatalogue& catalogue() const { return *catalogue_; }

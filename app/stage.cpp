@@ -35,14 +35,15 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
   }
   pose(figure(Role::target), cast.target, before);
   pose(figure(Role::reference), cast.reference, before);
+  // Nothing of a hidden figure may show, not even how fast its ground would go by.
+  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
   pose(figure(Role::created), cast.created, before);
-  figure(Role::created).hidden = cast.blind;
   phase_ -= std::floor(phase_);
 }
 
 void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
   figure.present = cycle != nullptr;
-  if (cycle == nullptr) return;
+  if (cycle == nullptr || figure.hidden) return;
   motion::pose_at(set_, *cycle, phase_, pose_);
   motion::forward_kinematics(set_.skeleton, pose_, world_);
   place_parts(mannequin_, world_, figure.parts);

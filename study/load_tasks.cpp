@@ -98,6 +98,18 @@ void read_find(const TomlTable& table, const StudyContext& context, Task& task) 
   if (!table.has("qualities")) table.error(R"(a "find" task needs "qualities")");
 }
 
+// Whose panel shows the figure cannot be used blind.
+void refuse_seeing(const TomlTable& table, const StudyContext& context, const Task& task) {
+  for (const int index : task.interfaces) {
+    const InterfaceUse& use = context.study.interfaces[static_cast<std::size_t>(index)];
+    const InterfaceType* type = context.registry.find(use.type);
+    if (!type || !type->shows_motion) continue;
+    table.error("blind", "the interface \"" + use.name +
+                             "\" shows the figure in its panel, so that this task cannot be "
+                             "blind; name others in \"interfaces\"");
+  }
+}
+
 Task read_task(const TomlTable& table, const StudyContext& context) {
   Task task;
   task.name = read_name(table);
@@ -108,6 +120,7 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   task.blind = table.boolean("blind").value_or(false);
   task.playback = table.boolean("playback").value_or(false);
   task.interfaces = read_interface_list(table, context.study);
+  if (task.blind) refuse_seeing(table, context, task);
   // Without a kind the other keys tell: what is wrong with them is said all the same.
   const bool find = kind ? *kind == "find" : table.has("qualities");
   task.kind = find ? TaskKind::find : TaskKind::match;

@@ -55,6 +55,10 @@ class Labels final : public InterfaceState {
   bool sorted() const { return sorted_; }
   Grouping grouping() const { return grouping_; }
   int group(int cycle) const { return groups_[static_cast<std::size_t>(cycle)]; }
+  void restored(const InterfaceState& left, const Eigen::VectorXd&, std::int64_t) override {
+    filter_ = static_cast<const Labels&>(left).filter_;
+  }
+
   const std::string& filter() const { return filter_; }
 
  private:
