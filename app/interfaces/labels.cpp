@@ -187,8 +187,10 @@ int row_by_key(const Extent& extent) {
   return -1;
 }
 
-// A slider of the mixture and the name of a bookmark have the keys to themselves.
+// The figures, a slider of the mixture and the name of a bookmark have the keys to
+// themselves.
 bool keys_are_elsewhere(const Labels& labels, const Focus& focus) {
+  if (focus.on("stage", "stage") || focus.on("scrub", "walk")) return true;
   for (const Ingredient& part : labels.shelf().mixture()) {
     if (focus.on("share", labels.shelf().target_of(part.item))) return true;
   }

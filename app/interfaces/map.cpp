@@ -175,23 +175,28 @@ void draw_tag(InterfacePanel& panel, const Box& box, std::string_view name) {
              panel.look().palette.text, name);
 }
 
+// Room for names, off all that lies on the map.
+NameTags tags_of(const MinimapState& state, const Chart& chart, const InterfacePanel& panel) {
+  NameTags tags(chart.box);
+  const auto keep_free = [&](const Vector2d& point, float size) {
+    const Vector2f at = chart.pixel(point);
+    tags.keep_free({at.x() - 0.5f * size, at.y() - 0.5f * size, size, size});
+  };
+  for (const auto& dot : state.map().examples.colwise()) keep_free(dot, panel.size(dot_720 - 2));
+  keep_free(state.point(), panel.size(current_720));
+  for (const Bookmark& bookmark : state.shelf().bookmarks()) {
+    keep_free(bookmark.spot.point, panel.size(mark_720));
+  }
+  return tags;
+}
+
 using Named = std::bitset<512>;  // of the examples
 
 // Names where there is room for them; whose name is to be read then?
 Named draw_all_names(const MinimapState& state, const Chart& chart, InterfacePanel& panel) {
-  NameTags tags(chart.box);
+  NameTags tags = tags_of(state, chart, panel);
   Named named;
-  const auto square = [&](const Vector2f& at, float size) -> Box {
-    return {at.x() - 0.5f * size, at.y() - 0.5f * size, size, size};
-  };
   const Eigen::Matrix2Xd& examples = state.map().examples;
-  for (int i = 0; i < examples.cols(); ++i) {
-    tags.keep_free(square(chart.pixel(examples.col(i)), panel.size(dot_720 - 2)));
-  }
-  tags.keep_free(square(chart.pixel(state.point()), panel.size(current_720)));
-  for (const Bookmark& bookmark : state.shelf().bookmarks()) {
-    tags.keep_free(square(chart.pixel(bookmark.spot.point), panel.size(mark_720)));
-  }
   for (int i = 0; i < examples.cols(); ++i) {
     const std::string& name = panel.content().names[static_cast<std::size_t>(i)];
     const Vector2f at = chart.pixel(examples.col(i));
@@ -215,7 +220,10 @@ void draw_name(const MinimapState& state, const Chart& chart, InterfacePanel& pa
   if (!chart.holds(at)) return;
   const ShortLine name = name_of(state.shelf(), item, panel);
   const Vector2f size = tag_size(panel, name.text());
-  const Box box = NameTags(chart.box).place_anyway(at, panel.size(15), size);
+  NameTags tags = tags_of(state, chart, panel);
+  const float radius = panel.size(15);
+  const Box anyway = tags.place_anyway(at, radius, size);
+  const Box box = tags.place(at, radius, size).value_or(anyway);
   fill(box, panel.look().palette.on_colour);
   draw_tag(panel, box, name.text());
 }

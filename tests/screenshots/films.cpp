@@ -59,6 +59,16 @@ void leave_page(Studio& studio) {
   }
 }
 
+}  // namespace
+
+void to_trial(Studio& studio) {
+  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
+  studio.play(inputs);
+  studio.pass(1);
+}
+
+namespace {
+
 ViewOptions options_of(const Film& film, const std::string& language) {
   ViewOptions options;
   options.language = film.asks_language ? "" : language;
@@ -84,13 +94,6 @@ void shoot_pages(const Film& film, Studio& studio, const Reel& reel) {
 
 void to_page(Studio& studio, PageKind kind) {
   while (studio.session().page().kind != kind) leave_page(studio);
-}
-
-// A trial that counts, in the middle of it.
-void to_trial(Studio& studio) {
-  while (studio.session().trial() == nullptr || studio.planned().practice) leave_page(studio);
-  studio.play(inputs);
-  studio.pass(1);
 }
 
 void to_pause(Studio& studio) {

@@ -34,6 +34,8 @@ struct Film {
 };
 
 std::vector<Film> all_films();
+// Goes on to a trial that counts, and into the middle of it.
+void to_trial(Studio& studio);
 void shoot_film(const Film& film, Room& room, const std::string& language, const Reel& reel);
 
 }  // namespace promenade::app::screenshots

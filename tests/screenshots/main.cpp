@@ -1,6 +1,7 @@
 // Photographs every screen and every interface: tools/screenshots runs it.
 //
 //     screenshots FOLDER [PART]     only pictures with PART in their name
+//     screenshots --frames          no pictures: how long frames take
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -10,6 +11,7 @@
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "tests/screenshots/films.h"
+#include "tests/screenshots/frame_times.h"
 #include "tests/screenshots/studies.h"
 
 namespace promenade::app::screenshots {
@@ -78,6 +80,11 @@ void photograph_all(Album& album, const std::string& part) {
   album.write_contact_sheet();
 }
 
+void measure() {
+  const Scratch scratch;
+  print_frame_times(scratch.folder());
+}
+
 }  // namespace
 }  // namespace promenade::app::screenshots
 
@@ -88,6 +95,10 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
+    if (std::string_view(arguments[1]) == "--frames") {
+      measure();
+      return 0;
+    }
     Album album(arguments[1]);
     photograph_all(album, count == 3 ? arguments[2] : "");
     promenade::app::print_text(

@@ -1,8 +1,11 @@
 #include "tests/screenshots/studio.h"
 
+#include <epoxy/gl.h>
+
 #include <algorithm>
 
 #include "app/registry.h"
+#include "app/window/clock.h"
 
 namespace promenade::app::screenshots {
 namespace {
@@ -93,9 +96,7 @@ void Studio::play(int inputs) {
   }
 }
 
-Photograph Studio::shoot() {
-  // The first frame of a page asks for the small figures that the second one shows.
-  frame(frame_us);
+void Studio::draw() {
   now_us_ += frame_us;
   const Window& window = room_.window;
   view_.advance(now_us_);
@@ -103,7 +104,21 @@ Photograph Studio::shoot() {
   view_.draw_figures(room_.renderer);
   view_.frame(now_us_);
   gui_renderer_->draw();
-  return photograph(window.width(), window.height());
+}
+
+Photograph Studio::shoot() {
+  // The first frame of a page asks for the small figures that the second one shows.
+  frame(frame_us);
+  draw();
+  return photograph(room_.window.width(), room_.window.height());
+}
+
+std::int64_t Studio::time_frame() {
+  const std::int64_t before = monotonic_us();
+  draw();
+  glFinish();
+  room_.window.swap();
+  return monotonic_us() - before;
 }
 
 }  // namespace promenade::app::screenshots

@@ -34,6 +34,8 @@ class Studio {
   // A few likely things with the controls of the running trial.
   void play(int inputs);
   Photograph shoot();
+  // Draws a frame and brings it to the screen; how long that took, microseconds.
+  std::int64_t time_frame();
 
   const study::StudyBundle& bundle() const { return bundle_; }
   const study::Session& session() const { return live_.session(); }
@@ -42,6 +44,7 @@ class Studio {
 
  private:
   void frame(std::int64_t passed_us);
+  void draw();
 
   Room& room_;
   const study::StudyBundle& bundle_;
