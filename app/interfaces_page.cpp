@@ -11,9 +11,8 @@ using study::InterfaceType;
 using study::ParameterSpec;
 
 std::string value_text(const study::ParameterValue& value) {
-  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return "\"" + std::get<std::string>(value) + "\"";
+  const bool quoted = std::holds_alternative<std::string>(value);
+  return quoted ? "\"" + to_text(value) + "\"" : to_text(value);
 }
 
 std::string allowed_text(const ParameterSpec& spec) {

@@ -32,6 +32,7 @@ struct ControlInput {
 };
 
 using ParameterValue = std::variant<bool, double, std::string>;
+std::string to_text(const ParameterValue& value);  // without quotes
 using Parameters = std::map<std::string, ParameterValue, std::less<>>;
 
 // A key that [[interface]] in a study file may set.
