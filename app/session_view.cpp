@@ -118,8 +118,11 @@ Cast SessionView::cast() const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
     const study::Task& task = task_of(bundle_.study, planned());
+    const auto& cycles = bundle_.space.set.cycles;
     return {.target = trial->target ? &*trial->target : nullptr,
             .created = &trial->cycle,
+            .reference =
+                task.reference < 0 ? nullptr : &cycles[static_cast<std::size_t>(task.reference)],
             .blind = task.blind};
   }
   if (session.page().kind != PageKind::instructions) return {};
