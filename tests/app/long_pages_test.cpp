@@ -15,7 +15,7 @@ std::string study_text(int questions, const std::string& consent = "") {
   if (!consent.empty()) text += "consent = {en = \"" + consent + "\"}\n";
   text +=
       "[[interface]]\nname = 'labels'\n[[task]]\nname = 'find'\nkind = 'find'\n"
-      "qualities = ['proud']\n";
+      "qualities = [{name = 'proud', en = 'proud'}]\n";
   for (int k = 0; k < questions; ++k) {
     text += "[[rating]]\nitem = 'q" + std::to_string(k) +
             "'\nquestion = 'Well?'\nlow = 'no'\nhigh = 'yes'\n";
