@@ -9,11 +9,22 @@ bool key_pressed(ImGuiKey key, bool repeat) {
 void Focus::take(std::string_view kind, std::string_view target) {
   kind_ = kind;
   target_ = target;
-  ring_ = false;
+  ring_ = goes_on_ = false;
+}
+
+void Focus::go_on(std::string_view kind, std::string_view target) {
+  const bool ring = ring_;
+  take(kind, target);
+  ring_ = ring;
+}
+
+void Focus::write_in(std::string_view kind, std::string_view target) {
+  take(kind, target);
+  arrived_ = goes_on_ = true;
 }
 
 void Focus::begin(const WidgetMap& before) {
-  arrived_ = false;
+  arrived_ = escape_used_ = false;
   const std::size_t count = before.size();
   if (count == 0 || !key_pressed(ImGuiKey_Tab)) return;
   const bool back = ImGui::GetIO().KeyShift;

@@ -24,13 +24,22 @@ class Focus {
   void leave() { take({}, {}); }
   // The mouse took this one; no ring.
   void take(std::string_view kind, std::string_view target);
+  // A control led on to another one, by key: the ring stays.
+  void go_on(std::string_view kind, std::string_view target);
+  // A text field that what was typed elsewhere belongs to; its text stays.
+  void write_in(std::string_view kind, std::string_view target);
+  bool goes_on() const { return goes_on_; }
+  bool on_kind(std::string_view kind) const { return kind == kind_; }
+  // A control had a use for the Escape key of this frame: no pause.
+  void use_escape() { escape_used_ = true; }
+  bool escape_used() const { return escape_used_; }
   bool ring() const { return ring_; }
   // The keyboard came here in this frame: bring it into sight.
   bool arrived() const { return arrived_; }
 
  private:
   std::string kind_, target_;
-  bool ring_ = false, arrived_ = false;
+  bool ring_ = false, arrived_ = false, goes_on_ = false, escape_used_ = false;
 };
 
 // Was the key pressed, or is it held and repeats?

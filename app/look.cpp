@@ -1,5 +1,6 @@
 #include "app/look.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "motion/problem.h"
@@ -68,6 +69,20 @@ const Rgb& ink_on(const Palette& palette, const Rgb& ground) {
   return linear.dot(Rgb(0.2126f, 0.7152f, 0.0722f)) > 0.18f ? palette.text : palette.on_colour;
 }
 
+namespace {
+
+bool has_kana(const std::string& text) {
+  // U+3040 to U+30FF in UTF-8.
+  for (std::size_t at = text.find('\xE3'); at != std::string::npos;
+       at = text.find('\xE3', at + 1)) {
+    const unsigned char next = at + 1 < text.size() ? static_cast<unsigned char>(text[at + 1]) : 0;
+    if (next >= 0x81 && next <= 0x83) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words) {
   require_fonts();
   atlas.Clear();
@@ -75,17 +90,20 @@ Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>
   builder.AddRanges(atlas.GetGlyphRangesDefault());
   for (const std::string& text : words) builder.AddText(text.c_str());
   for (const char* text : {"–", "…", "“", "”", "’", "%", "°", "×", "½", "¼"}) builder.AddText(text);
-  ImVector<ImWchar> ranges;  // the atlas reads it while it builds
-  builder.BuildRanges(&ranges);
-  const auto font = [&](const char* file, float pixels) {
+  ImVector<ImWchar> shown, written;  // the atlas reads them while it builds
+  builder.BuildRanges(&shown);
+  const bool japanese = std::any_of(words.begin(), words.end(), has_kana);
+  if (japanese) builder.AddRanges(atlas.GetGlyphRangesJapanese());
+  builder.BuildRanges(&written);
+  const auto font = [&](const char* file, float pixels, const ImVector<ImWchar>& ranges) {
     return add_font(atlas, file, std::round(pixels * scale), ranges.Data);
   };
   Fonts fonts;
-  fonts.text = font(latin_file, 16);
-  fonts.bold = font(latin_bold_file, 16);
-  fonts.reading = font(latin_file, 20);
-  fonts.title = font(latin_file, 24);
-  fonts.heading = font(latin_file, 32);
+  fonts.text = font(latin_file, 16, written);
+  fonts.bold = font(latin_bold_file, 16, written);
+  fonts.reading = font(latin_file, 20, shown);
+  fonts.title = font(latin_file, 24, shown);
+  fonts.heading = font(latin_file, 32, shown);
   atlas.Build();
   return fonts;
 }

@@ -63,8 +63,9 @@ struct Look {
 void require_fonts();
 
 // Loads the fonts at `scale` into the atlas, with the characters of `words` and
-// those of Latin. Throws OutsideError when the fonts are not installed. Builds the
-// atlas, so that tests need no graphics card.
+// those of Latin; where words are Japanese, `text` and `bold` have all kana and the common
+// kanji too, for what people write. Throws OutsideError when the fonts are not installed. Builds
+// the atlas, so that tests need no graphics card.
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words);
 
 // Dear ImGui in our style: square, flat, and cheap to draw in software.

@@ -33,9 +33,9 @@ void InterfacePanel::press(std::string_view kind, std::string_view target, const
 }
 
 void InterfacePanel::write(std::string_view kind, std::string_view target, const app::Box& box,
-                           const std::string& text, const std::string& hint) {
+                           const std::string& text, const std::string& hint, int most) {
   std::string written = text;
-  if (app::text_field(ui_, kind, target, box, written, hint.c_str())) {
+  if (app::text_field(ui_, kind, target, box, written, {.hint = hint.c_str(), .most = most})) {
     report({.kind = std::string(kind), .target = std::string(target), .text = written});
   }
 }

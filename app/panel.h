@@ -47,9 +47,10 @@ class InterfacePanel {
   // The same with a sign.
   void press(std::string_view kind, std::string_view target, const app::Box& box, app::Icon icon,
              bool enabled = true);
-  // A line to write in; reports {kind, target, text} when it changes.
+  // A line of at most `most` characters to write in; reports {kind, target, text} when it
+  // changes.
   void write(std::string_view kind, std::string_view target, const app::Box& box,
-             const std::string& text, const std::string& hint);
+             const std::string& text, const std::string& hint, int most);
   // A frame around what is drawn there; reports {kind, target} when pressed.
   void tile(std::string_view kind, std::string_view target, const app::Box& box);
   // A figure that walks by these N weights, and does nothing else.

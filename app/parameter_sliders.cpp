@@ -81,7 +81,10 @@ Applied ParameterSliders::apply(const ControlInput& input) {
                                                {"show", &Self::show_weights},
                                                {"hide", &Self::hide_weights}}};
   for (const Act& one : acts) {
-    if (one.kind == input.kind) return (this->*one.act)(input);
+    if (one.kind != input.kind) continue;
+    const Applied applied = (this->*one.act)(input);
+    if (applied == Applied::done && one.kind != "weight") held_ = -1;
+    return applied;
   }
   return Applied::refused;
 }
@@ -202,6 +205,9 @@ Applied ParameterSliders::weight(const Input& input) {
   if (!can || cycle < 0 || !in_range(input.value)) return Applied::refused;
   if (source_ != Source::hand) ease_from(input.t_us);
   source_ = Source::hand;
+  if (held_ != cycle) proportions_ = target_;
+  held_ = cycle;
+  target_ = proportions_;
   // Negative weights have no proportion to keep.
   if (target_.minCoeff() < 0) motion::project_on_simplex(target_);
   target_(cycle) = 0;

@@ -9,8 +9,9 @@
 //   add     PARAMETER: a slider for it, where the shown motion stands
 //   alter   PARAMETER, text = the one whose slider it takes
 //   delete  PARAMETER: its slider goes; without any the start is shown
-//   weight  CYCLE, value 0 to 1: a blend weight itself; the others keep their proportions
-//           and the sliders follow. The next `slide` returns to the parameters.
+//   weight  CYCLE, value 0 to 1: a blend weight itself; the others keep the proportions that
+//           they had before the first of a row of inputs for it, and the sliders follow. The next
+//           `slide` returns to the parameters.
 //   list    "add" or a PARAMETER to alter: opens the list;  back "list": closes it
 //   show, hide  "weights": the column of blend weights
 #pragma once
@@ -84,6 +85,8 @@ class ParameterSliders final : public study::InterfaceState {
   std::shared_ptr<const motion::RadialBasis> basis_;  // of these sliders
   Source source_ = Source::start;
   Eigen::VectorXd start_, from_, target_;  // N: eases from one to the other
+  Eigen::VectorXd proportions_;            // N: when the weight that is held was taken
+  int held_ = -1;                          // the cycle whose weight was dragged last; -1: none
   std::int64_t began_us_ = 0;
   List list_ = List::closed;
   int altered_ = -1;

@@ -133,7 +133,8 @@ void draw_none(InterfacePanel& panel, const Box& box) {
   for (std::size_t at = 0; at < text.size(); line.y += height) {
     const std::size_t end = at + first_line(text.substr(at), line.width, measure);
     panel.line(font, line, panel.look().palette.quiet, text.substr(at, end - at));
-    at = end < text.size() && text[end] == ' ' ? end + 1 : end;
+    const bool broken = end < text.size() && (text[end] == ' ' || text[end] == '\n');
+    at = broken ? end + 1 : end;
   }
 }
 

@@ -11,6 +11,8 @@ namespace {
 
 using study::PageKind;
 
+constexpr const char* closed_by_hand = "window closed";
+
 std::string cycle_name(const motion::Cycle& cycle, const study::Texts& texts) {
   // "happy_2" is read as the second of its style.
   const bool numbered = !cycle.style.empty() && cycle.name.size() > cycle.style.size() &&
@@ -223,6 +225,7 @@ void SessionView::take_actions() {
     closed_ = closed_ || !actions_.empty();
     return;
   }
+  if (memory_.wants_end) return stop(closed_by_hand, moment.t_us, study::Actor::participant);
   for (StudyAction& action : actions_) live_.take(std::move(action), moment);
   const std::string& chosen = live_.session().language();
   if (!chosen.empty() && chosen != language_) speak(chosen);
@@ -250,6 +253,15 @@ void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
 void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {
   if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_}, actor);
   closed_ = true;
+}
+
+void SessionView::ask_to_close(std::int64_t now_us) {
+  const bool again = memory_.asks_to_end && live_.session().paused();
+  const bool can_pause = app::can_pause(live_.session().page().kind) && !live_.failure();
+  if (again || !can_pause) return stop(closed_by_hand, now_us, study::Actor::participant);
+  memory_.asks_to_end = true;
+  if (live_.session().paused()) return;
+  live_.take(study::Pause{}, {.t_us = now_us, .frame_us = shown_us_});
 }
 
 bool SessionView::ended() const { return closed_ || live_.session().ended(); }

@@ -38,6 +38,9 @@ class SessionView {
   void frame(std::int64_t now_us);
   // A frame was put on screen.
   void shown(std::int64_t shown_us, std::int64_t late_us);
+  // The window is to be closed. Where there can be a pause it opens one that offers the end
+  // of the session; asked there again, or anywhere else, the session is over.
+  void ask_to_close(std::int64_t now_us);
   // `actor`: the participant who closed the window, or the experimenter.
   void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;

@@ -153,7 +153,7 @@ class Player {
   }
 
   void draw_screen(std::int64_t now_us) {
-    if (window_.closing()) view_->stop("window closed", now_us, study::Actor::participant);
+    if (window_.closing()) close_requested(now_us);
     if (interrupted() && !view_->ended()) {
       view_->stop("interrupted", now_us, study::Actor::experimenter);
       interrupted_ = true;
@@ -163,6 +163,13 @@ class Player {
     view_->frame(now_us);
     gui_renderer_.draw();
     draw_examples_window();
+  }
+
+  // By accident, perhaps; nobody is there to be asked when the participant is simulated.
+  void close_requested(std::int64_t now_us) {
+    if (autopilot_) return view_->stop("window closed", now_us, study::Actor::participant);
+    window_.stay();
+    view_->ask_to_close(now_us);
   }
 
   bool ended() const { return view_->ended(); }

@@ -3,21 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/utf8.h"
+
 namespace promenade::app {
 namespace {
 
 using study::Applied;
 using study::ControlInput;
-
-// The first characters of a text in UTF-8.
-std::string shortened(const std::string& text, int characters) {
-  std::size_t end = 0;
-  for (int count = 0; end < text.size(); ++end) {
-    const bool begins = (static_cast<unsigned char>(text[end]) & 0xC0U) != 0x80U;
-    if (begins && ++count > characters) break;
-  }
-  return text.substr(0, end);
-}
 
 }  // namespace
 
@@ -105,7 +97,7 @@ Applied Shelf::keep(const std::string& target, const Spot& here) {
 Applied Shelf::rename(const ControlInput& input) {
   Bookmark* bookmark = bookmark_of(input.target);
   if (bookmark == nullptr) return Applied::refused;
-  std::string name = shortened(input.text, longest_bookmark_name);
+  std::string name(first_characters(input.text, longest_bookmark_name));
   if (name == bookmark->name) return Applied::aside;
   bookmark->name = std::move(name);
   return Applied::done;

@@ -2,10 +2,15 @@
 // walks that they come to, so that only the presentation differs. A part of the state of
 // an interface, with its rule: no clock, no UI. Inputs, by kind and target:
 //
-//   goto 1          shows a bookmark          bookmark (or happy)  keeps what is shown (that
-//   example) rename 1 TEXT   names a bookmark          remove 1             forgets it mix happy /
-//   #1  one more of the mixture   unmix happy / #1     takes it out share happy V   its share, 0 to
-//   1         offer, edit          open a part of the panel (aside)
+//   goto      1            shows a bookmark
+//   bookmark  "" or happy  keeps what is shown, or that example
+//   rename    1, TEXT      names a bookmark
+//   remove    1            forgets it
+//   mix       happy or #1  one more part of the mixture
+//   share     happy or #1  its share, value 0 to 1
+//   unmix     happy or #1  takes it out
+//   offer     happy or #1  opens what else can be done with it (aside)
+//   edit      1            opens its name (aside)
 #pragma once
 
 #include <optional>

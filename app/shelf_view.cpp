@@ -59,10 +59,12 @@ void draw_name_field(const Shelf& shelf, InterfacePanel& panel, const Box& box) 
   std::string name = bookmark.name;
   bool entered = false;
   const std::string& hint = panel.text("interface.shelf.name_hint");
-  if (text_field(panel.ui(), "rename", target, box, name, hint.c_str(), &entered)) {
+  if (text_field(panel.ui(), "rename", target, box, name,
+                 {.hint = hint.c_str(), .most = longest_bookmark_name, .entered = &entered})) {
     panel.report({.kind = "rename", .target = std::string(target), .text = name});
   }
-  if (entered) panel.report({.kind = "edit", .target = ""});
+  const bool left = panel.ui().focus.on("rename", target) && key_pressed(ImGuiKey_Escape, false);
+  if (entered || left) panel.report({.kind = "edit", .target = ""});
 }
 
 bool is_mixed(const Shelf& shelf, const Item& item) {

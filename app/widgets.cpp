@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/line_breaks.h"
+#include "app/utf8.h"
 
 namespace promenade::app {
 namespace {
@@ -267,14 +268,51 @@ bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, c
   return now.clicked && enabled;
 }
 
+namespace {
+
+struct Writing {
+  int most;
+  bool goes_on;  // what is there stays: writing begins behind it
+};
+
+// Dear ImGui asks after each edit, else once a frame.
+int mind_text(ImGuiInputTextCallbackData* data) {
+  const auto& writing = *static_cast<const Writing*>(data->UserData);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackEdit) {
+    const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    const auto end = static_cast<int>(first_characters(text, writing.most).size());
+    if (end < data->BufTextLen) data->DeleteChars(end, data->BufTextLen - end);
+  } else if (writing.goes_on) {
+    data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+  }
+  return 0;
+}
+
+// The field itself, the kind and target of which are on the stack of names. Was Enter pressed?
+bool input_text(const Ui& ui, bool focused, std::array<char, 256>& buffer,
+                const FieldOptions& options) {
+  bool& active = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("active"));
+  Writing writing{options.most, focused && ui.focus.goes_on() && !active};
+  if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
+  const bool entered = ImGui::InputTextWithHint("", options.hint, buffer.data(), buffer.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue |
+                                                    ImGuiInputTextFlags_CallbackEdit |
+                                                    ImGuiInputTextFlags_CallbackAlways,
+                                                mind_text, &writing);
+  active = ImGui::IsItemActive();
+  return entered;
+}
+
+}  // namespace
+
 bool text_field(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
-                std::string& text, const char* hint, bool* entered) {
+                std::string& text, const FieldOptions& options) {
   const float pad = std::round(0.5f * (box.height - ImGui::GetFontSize()));
   fill(box, ui.look.palette.on_colour);
   frame(box, ui.look.palette.line, ui.layout.size(1));
   if (ui.inert) {
     draw_text(ui.look.fonts.text, {box.x + ui.layout.size(12), box.y, box.width, box.height},
-              ui.look.palette.quiet, hint);
+              ui.look.palette.quiet, options.hint);
     return false;
   }
   Widget widget;
@@ -288,13 +326,11 @@ bool text_field(const Ui& ui, std::string_view kind, std::string_view target, co
   ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
   ImGui::SetCursorScreenPos(low(box));
   ImGui::SetNextItemWidth(box.width);
-  if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
-  const bool enter_pressed = ImGui::InputTextWithHint("", hint, buffer.data(), buffer.size(),
-                                                      ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered = input_text(ui, focused, buffer, options);
   if (ImGui::IsItemActivated() && !focused) ui.focus.take(kind, target);
   const bool edited = text != buffer.data();
   if (edited) text = buffer.data();
-  if (entered != nullptr) *entered = enter_pressed;
+  if (options.entered != nullptr) *options.entered = entered;
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
   ImGui::PopID();

@@ -69,10 +69,15 @@ bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, c
                  Icon icon, bool enabled = true);
 void draw_icon(const Box& box, Icon icon, const Rgb& colour, float thickness);
 
-// One line of text to write; true: it was changed. `text` keeps its memory. `hint` stands
-// in the empty field. `entered`: Enter was pressed in it.
+struct FieldOptions {
+  const char* hint = "";    // stands in the empty field
+  int most = 60;            // characters that can be written, 60 or fewer
+  bool* entered = nullptr;  // out: Enter was pressed in it
+};
+
+// One line of text to write; true: it was changed. `text` keeps its memory.
 bool text_field(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
-                std::string& text, const char* hint, bool* entered = nullptr);
+                std::string& text, const FieldOptions& options);
 
 // A plane to press and drag in. `zero` is the pixel of (0, 0), `unit` how many pixels 1
 // is to the right and up.

@@ -3,6 +3,7 @@
 #include "app/list_groups.h"
 #include "app/registry.h"
 #include "app/shelf_view.h"
+#include "app/utf8.h"
 
 namespace promenade::app {
 namespace {
@@ -12,7 +13,7 @@ using study::ControlInput;
 using study::InterfacePanel;
 using study::InterfaceState;
 
-constexpr std::size_t longest_filter = 60;  // bytes
+constexpr int longest_filter = 30;  // characters
 
 class Labels final : public InterfaceState {
  public:
@@ -63,7 +64,8 @@ class Labels final : public InterfaceState {
 
  private:
   Applied search(const ControlInput& input) {
-    if (input.target != "list" || input.text.size() > longest_filter) return Applied::refused;
+    const bool fits = first_characters(input.text, longest_filter) == input.text;
+    if (input.target != "list" || !fits) return Applied::refused;
     filter_ = input.kind == "filter" ? input.text : "";
     return Applied::aside;
   }
@@ -165,14 +167,19 @@ class Lines {
 
 struct Extent {
   int lines = 0, rows = 0;
-  int marked = -1;  // the row that is shown; -1: none
+  int from = -1;  // the row that the arrow keys go on from; -1: none
 };
 
-Extent extent_of(const Labels& labels, const Lines& lines) {
+// The keyboard is on a row, or else on the one that is shown.
+Extent extent_of(const Labels& labels, const Lines& lines, const Focus& focus) {
   Extent extent;
   lines.visit([&](const ShortLine&) { ++extent.lines; },
               [&](int cycle, std::string_view) {
-                if (cycle == labels.picked()) extent.marked = extent.rows;
+                const Item item{.example = cycle};
+                const bool here = focus.on("pick", labels.shelf().target_of(item));
+                if (here || (cycle == labels.picked() && !focus.on_kind("pick"))) {
+                  extent.from = extent.rows;
+                }
                 ++extent.lines;
                 ++extent.rows;
               });
@@ -181,7 +188,7 @@ Extent extent_of(const Labels& labels, const Lines& lines) {
 
 // Which row the arrow keys lead to; -1: none was pressed.
 int row_by_key(const Extent& extent) {
-  const int row = extent.marked;
+  const int row = extent.from;
   if (extent.rows == 0) return -1;
   if (key_pressed(ImGuiKey_DownArrow)) return std::min(row + 1, extent.rows - 1);
   if (key_pressed(ImGuiKey_UpArrow)) return std::max(row - 1, 0);
@@ -191,14 +198,19 @@ int row_by_key(const Extent& extent) {
   return -1;
 }
 
-// The figures, a slider of the mixture and the name of a bookmark have the keys to
-// themselves.
+// A slider, the stage and the name of a bookmark have the keys to themselves.
 bool keys_are_elsewhere(const Labels& labels, const Focus& focus) {
-  if (focus.on("stage", "stage") || focus.on("scrub", "walk")) return true;
-  for (const Ingredient& part : labels.shelf().mixture()) {
-    if (focus.on("share", labels.shelf().target_of(part.item))) return true;
-  }
-  return labels.shelf().edited() > 0;
+  return focus.on_kind("share") || focus.on_kind("scrub") || focus.on_kind("stage") ||
+         labels.shelf().edited() > 0;
+}
+
+// The arrow keys show a row, and the keyboard goes along if it was on one.
+void go_to_row(const Labels& labels, InterfacePanel& panel, float y, int cycle) {
+  const std::string_view target = labels.shelf().target_of({.example = cycle});
+  Focus& focus = panel.ui().focus;
+  if (focus.on_kind("pick")) focus.go_on("pick", target);
+  if (cycle != labels.picked()) panel.report({.kind = "pick", .target = std::string(target)});
+  ImGui::SetScrollFromPosY(y - ImGui::GetWindowPos().y, 0.5f);
 }
 
 void draw_heading(InterfacePanel& panel, const Box& box, std::string_view text) {
@@ -219,7 +231,7 @@ void draw_row(const Labels& labels, InterfacePanel& panel, const Box& box, int c
 
 void draw_list(const Labels& labels, InterfacePanel& panel, const Box& box) {
   const Lines lines(labels, panel);
-  const Extent extent = extent_of(labels, lines);
+  const Extent extent = extent_of(labels, lines, panel.ui().focus);
   const float height = panel.size(32);
   const float width = panel.begin_scroll(box, height * static_cast<float>(extent.lines));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
@@ -234,11 +246,7 @@ void draw_list(const Labels& labels, InterfacePanel& panel, const Box& box) {
       },
       [&](int cycle, std::string_view label) {
         draw_row(labels, panel, line, cycle, label);
-        if (row++ == wanted && wanted != extent.marked) {
-          panel.report({.kind = "pick",
-                        .target = std::string(labels.shelf().target_of({.example = cycle}))});
-          ImGui::SetScrollFromPosY(line.y - ImGui::GetWindowPos().y, 0.5f);
-        }
+        if (row++ == wanted && wanted != extent.from) go_to_row(labels, panel, line.y, cycle);
         line.y += height;
       });
   if (extent.rows == 0) {
@@ -248,25 +256,41 @@ void draw_list(const Labels& labels, InterfacePanel& panel, const Box& box) {
   panel.end_scroll();
 }
 
-// What is typed while no field has the keyboard searches, too.
-void type_to_search(const Labels& labels, InterfacePanel& panel) {
-  const ImGuiIO& io = ImGui::GetIO();
+void drop_last_character(std::string& text) {
+  while (!text.empty()) {
+    const bool within = (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U;
+    text.pop_back();
+    if (!within) return;
+  }
+}
+
+// What is typed while no field has the keyboard searches, too: the field of the filter takes
+// over with the first letter. A space alone presses what has the keyboard.
+void type_to_search(InterfacePanel& panel, std::string& filter) {
+  ImGuiIO& io = ImGui::GetIO();
+  Focus& focus = panel.ui().focus;
   if (io.WantTextInput || panel.ui().inert) return;
-  std::string filter = labels.filter();
   for (const ImWchar letter : io.InputQueueCharacters) {
-    if (letter <= ' ' || letter >= 0x80) continue;  // others come through the field
-    filter += static_cast<char>(letter);
+    const bool writes = letter > ' ' || (letter == ' ' && focus.on("filter", "list"));
+    if (!writes || letter == 0x7F) continue;
+    append_character(filter, letter);
+    focus.write_in("filter", "list");
   }
-  if (key_pressed(ImGuiKey_Backspace) && !filter.empty()) {
-    do {
-      const bool within = (static_cast<unsigned char>(filter.back()) & 0xC0U) == 0x80U;
-      filter.pop_back();
-      if (!within) break;
-    } while (!filter.empty());
-  }
-  if (key_pressed(ImGuiKey_Escape, false)) filter.clear();
-  if (filter == labels.filter() || filter.size() > longest_filter) return;
-  panel.report({.kind = "filter", .target = "list", .text = filter});
+  filter = first_characters(filter, longest_filter);
+  if (key_pressed(ImGuiKey_Backspace)) drop_last_character(filter);
+  // The field would enter them a second time.
+  if (focus.on("filter", "list")) io.InputQueueCharacters.resize(0);
+}
+
+// Escape shows the whole list again, before it is a pause.
+bool shows_all_by_key(const Labels& labels, InterfacePanel& panel) {
+  Focus& focus = panel.ui().focus;
+  const bool ours = !ImGui::GetIO().WantTextInput || focus.on("filter", "list");
+  if (panel.ui().inert || !ours || labels.filter().empty()) return false;
+  if (!key_pressed(ImGuiKey_Escape, false)) return false;
+  focus.use_escape();
+  panel.report({.kind = "show_all", .target = "list"});
+  return true;
 }
 
 void draw_filter(const Labels& labels, InterfacePanel& panel, const Box& box) {
@@ -274,9 +298,12 @@ void draw_filter(const Labels& labels, InterfacePanel& panel, const Box& box) {
   std::string text = labels.filter();
   const Box field{box.x, box.y, box.width - clear, box.height};
   const std::string& hint = panel.text("interface.labels.filter");
-  if (text_field(panel.ui(), "filter", "list", field, text, hint.c_str())) {
-    const bool fits = text.size() <= longest_filter;
-    if (fits) panel.report({.kind = "filter", .target = "list", .text = text});
+  const bool all = shows_all_by_key(labels, panel);
+  type_to_search(panel, text);
+  text_field(panel.ui(), "filter", "list", field, text,
+             {.hint = hint.c_str(), .most = longest_filter});
+  if (!all && text != labels.filter()) {
+    panel.report({.kind = "filter", .target = "list", .text = text});
   }
   if (clear > 0) {
     panel.press("show_all", "list", {field.right(), box.y, clear, box.height}, Icon::close);
@@ -287,7 +314,6 @@ void draw(const InterfaceState& state, InterfacePanel& panel) {
   const auto& labels = static_cast<const Labels&>(state);
   const Box upper = upper_part(panel);
   const float height = panel.size(36);
-  type_to_search(labels, panel);
   draw_filter(labels, panel, {upper.x, upper.y, upper.width, height});
   const float top = upper.y + height + panel.size(4);
   draw_list(labels, panel, {upper.x, top, upper.width, upper.bottom() - top});

@@ -13,13 +13,13 @@ void draw_closing(const Screen& screen) {
   if (pressed) screen.actions.emplace_back(study::Continue{});
 }
 
+// The reason is for the experimenter: main says it once the window is closed.
 void draw_failure(const Screen& screen) {
   bool pressed = false;
   draw_text_page(
       screen,
-      {screen.texts("error.title"), screen.texts.with("error.text", {{"reason", screen.failure}}),
-       screen.texts("button.close")},
-      true, pressed);
+      {screen.texts("error.title"), screen.texts("error.text"), screen.texts("button.close")}, true,
+      pressed);
   if (pressed) screen.actions.emplace_back(study::Continue{});
 }
 

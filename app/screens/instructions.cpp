@@ -1,5 +1,6 @@
 // What the coming block asks for: words and walking figures at the left, the very
 // controls at the right, to be looked at.
+#include <array>
 #include <cmath>
 
 #include "app/screens/screen.h"
@@ -66,19 +67,36 @@ void draw_picture(const Screen& screen) {
   screen.memory.unheard.clear();
 }
 
+struct Paragraphs {
+  ImFont* font;
+  std::string text;
+  float gap;  // below, at 720
+};
+
+std::array<Paragraphs, 4> paragraphs_of(const Screen& screen) {
+  const Fonts& fonts = screen.ui.look.fonts;
+  const std::string key = "interface." + use_of(screen).type + ".";
+  return {{{fonts.reading, task_text(screen), 18},
+           {fonts.bold, screen.texts(key + "title"), 2},
+           {fonts.reading, screen.texts(key + "hint"), 18},
+           {fonts.text, help_text(screen), 0}}};
+}
+
+// Down to the figures.
 void draw_words(const Screen& screen) {
   const Ui& ui = screen.ui;
-  const Palette& palette = ui.look.palette;
-  const Box left = ui.layout.box(32, 84, 784, 0);
-  const std::string key = "interface." + use_of(screen).type + ".";
-  float y = left.y;
-  const auto add = [&](ImFont* font, const std::string& text, float gap) {
-    y += draw_paragraphs(font, left.x, y, left.width, palette.text, text) + ui.layout.size(gap);
-  };
-  add(ui.look.fonts.reading, task_text(screen), 18);
-  add(ui.look.fonts.bold, screen.texts(key + "title"), 2);
-  add(ui.look.fonts.reading, screen.texts(key + "hint"), 18);
-  add(ui.look.fonts.text, help_text(screen), 0);
+  const Box box = ui.layout.box(32, 84, 784, 384);
+  const std::array<Paragraphs, 4> words = paragraphs_of(screen);
+  float height = 0;
+  for (const Paragraphs& part : words) {
+    height += paragraphs_height(part.font, box.width, part.text) + ui.layout.size(part.gap);
+  }
+  float y = begin_body(screen, box, height);
+  for (const Paragraphs& part : words) {
+    y += draw_paragraphs(part.font, box.x, y, box.width, ui.look.palette.text, part.text);
+    y += ui.layout.size(part.gap);
+  }
+  end_body(box, y);
 }
 
 }  // namespace

@@ -29,17 +29,12 @@ void draw_page(const Screen& screen) {
   }
 }
 
-// Where somebody may want to rest: not before the first page has been left, and not after
-// the last.
-bool can_pause(PageKind kind) {
-  return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
-         kind == PageKind::trial || kind == PageKind::rating || kind == PageKind::break_;
-}
-
 void offer_pause(const Screen& screen) {
   const PageKind kind = screen.session.page().kind;
   if (!can_pause(kind)) return;
-  bool wanted = key_pressed(ImGuiKey_Escape, false);
+  // A field that is written in and a list that is searched use the key first.
+  const bool used = ImGui::GetIO().WantTextInput || screen.ui.focus.escape_used();
+  bool wanted = !used && key_pressed(ImGuiKey_Escape, false);
   if (kind != PageKind::trial) {
     const std::string& label = screen.texts("button.pause");
     const float width = text_width(screen.ui.look.fonts.text, label) + screen.ui.layout.size(32);
@@ -70,6 +65,11 @@ void draw_marks(const Screen& screen) {
 
 }  // namespace
 
+bool can_pause(PageKind kind) {
+  return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
+         kind == PageKind::trial || kind == PageKind::rating || kind == PageKind::break_;
+}
+
 void draw_screen(const Screen& screen) {
   const ImGuiIO& io = ImGui::GetIO();
   screen.ui.widgets.clear();
@@ -86,6 +86,37 @@ void draw_screen(const Screen& screen) {
   ImGui::PopFont();
 }
 
+namespace {
+
+// Returns where it ends on screen.
+float draw_long_text(const Screen& screen, const Box& box, std::string_view text) {
+  ImFont* const font = screen.ui.look.fonts.reading;
+  const Rgb& colour = screen.ui.look.palette.text;
+  const float height = paragraphs_height(font, box.width, text);
+  if (height <= box.height) {
+    draw_paragraphs(font, box.x, box.y, box.width, colour, text);
+    return box.y + height;
+  }
+  const float top = begin_body(screen, box, height);
+  draw_paragraphs(font, box.x, top, box.width, colour, text);
+  end_body(box, top + height);
+  return box.bottom();
+}
+
+// Whoever presses too early reads what is missing.
+void draw_missing(const Screen& screen, const PageTexts& texts, bool enabled, bool by_key) {
+  bool& too_early = screen.memory.too_early;
+  const bool focused = screen.ui.focus.on("press", texts.target) &&
+                       (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false));
+  if (screen.fresh) too_early = false;
+  too_early = !enabled && (too_early || by_key || focused || ImGui::IsItemActivated());
+  if (!too_early || texts.missing.empty()) return;
+  const Box box = screen.ui.layout.box(320, 640, 424, 48);
+  draw_text(screen.ui.look.fonts.bold, box, screen.ui.look.palette.text, texts.missing);
+}
+
+}  // namespace
+
 float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed) {
   const Ui& ui = screen.ui;
   const Palette& palette = ui.look.palette;
@@ -95,18 +126,19 @@ float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled,
   draw_text(ui.look.fonts.heading, {column.x, column.y, column.width, heading}, palette.text,
             texts.title);
   const float from = column.y + heading + ui.layout.size(16);
-  const float height = draw_paragraphs(ui.look.fonts.reading, column.x, from, column.width,
-                                       palette.text, texts.text);
+  const float bottom =
+      draw_long_text(screen, {column.x, from, column.width, column.bottom() - from}, texts.text);
   pressed = main_button(screen, texts, ui.layout.box(760, 640, 200, 48), enabled);
-  return from + height;
+  return bottom;
 }
 
 bool main_button(const Screen& screen, const PageTexts& texts, const Box& box, bool enabled) {
   const Ui& ui = screen.ui;
   const bool by_key = texts.by_enter && ui.focus.nowhere() && !ImGui::GetIO().WantTextInput &&
                       key_pressed(ImGuiKey_Enter, false);
-  return button(ui, texts.target, box, texts.button, ButtonKind::filled, enabled) ||
-         (by_key && enabled);
+  const bool pressed = button(ui, texts.target, box, texts.button, ButtonKind::filled, enabled);
+  draw_missing(screen, texts, enabled, by_key);
+  return pressed || (by_key && enabled);
 }
 
 void draw_just_ended(const Screen& screen, const Box& line) {

@@ -23,6 +23,9 @@ struct ScreenMemory {
   std::array<char, 4 * longest_participant_code + 1> code{};
   bool code_refused = false;  // taken by someone else
   bool wants_start = false;   // the welcome page is left: the code is to be checked
+  bool too_early = false;     // the main button was pressed while it could not be
+  bool asks_to_end = false;   // the window was to be closed: the pause offers the end
+  bool wants_end = false;     // and that was pressed
   std::optional<Orbit> told;  // the camera that was last reported
   int camera_trial = -1;      // the trial that the camera was set for
   Eigen::VectorXd example;    // scratch of the wall
@@ -61,6 +64,10 @@ struct Screen {
 // Everything on screen but the figures, between ImGui::NewFrame and Render.
 void draw_screen(const Screen& screen);
 
+// Where somebody may want to rest: not before the first page has been left, and not after
+// the last.
+bool can_pause(study::PageKind kind);
+
 void draw_language(const Screen& screen);
 void draw_welcome(const Screen& screen);
 void draw_consent(const Screen& screen);
@@ -78,12 +85,17 @@ struct PageTexts {
   std::string_view title, text, button;
   std::string_view target = "continue";  // of the button
   bool by_enter = true;                  // Enter presses it while the keyboard is nowhere
+  std::string_view missing = {};         // what stands beside it once it was pressed too early
 };
 // A column with a heading, text and the page's main button; returns where free room
-// begins, pixels. True in `pressed`: the button was.
+// begins, pixels. A text that is too long scrolls. True in `pressed`: the button was.
 float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed);
 // A page's main button; true: pressed, or Enter was.
 bool main_button(const Screen& screen, const PageTexts& texts, const Box& box, bool enabled);
+// What is drawn until end_body() scrolls, by wheel and keys, when its `height` is more than
+// that of the box. Returns where it begins, pixels; `bottom` is where it ended.
+float begin_body(const Screen& screen, const Box& box, float height);
+void end_body(const Box& box, float bottom);
 // How the trial before ended, if it did so by itself, in one calm line.
 void draw_just_ended(const Screen& screen, const Box& line);
 // In a practice trial: what to try next.

@@ -12,12 +12,14 @@ namespace {
 
 constexpr float nearest = 2.5f, farthest = 0.7f;  // zoom
 constexpr float widest = 1.5f;                    // metres that the picture can be moved
+constexpr float lowest_pitch = -start_pitch + 0.02f,
+                highest_pitch = 1.2f;  // radians from the start
 
 void turn_with_mouse(const Screen& screen, Orbit& orbit) {
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   orbit.yaw += 0.008f * moved.x / screen.ui.layout.scale;
-  orbit.pitch = std::clamp(orbit.pitch + 0.006f * moved.y / screen.ui.layout.scale,
-                           -start_pitch + 0.02f, 1.2f);
+  orbit.pitch = std::clamp(orbit.pitch + 0.006f * moved.y / screen.ui.layout.scale, lowest_pitch,
+                           highest_pitch);
 }
 
 void move_with_mouse(const Screen& screen, Orbit& orbit) {
@@ -28,9 +30,20 @@ void move_with_mouse(const Screen& screen, Orbit& orbit) {
   orbit.up = std::clamp(orbit.up - moved.y / metre, -widest, widest);
 }
 
-void turn_with_keys(Orbit& orbit) {
-  if (key_pressed(ImGuiKey_LeftArrow)) orbit.yaw -= 0.1f;
-  if (key_pressed(ImGuiKey_RightArrow)) orbit.yaw += 0.1f;
+// The arrow keys turn, with Shift they move.
+void move_with_keys(Orbit& orbit) {
+  const auto steps = [](ImGuiKey less, ImGuiKey more) {
+    return static_cast<float>(key_pressed(more)) - static_cast<float>(key_pressed(less));
+  };
+  const float right = steps(ImGuiKey_LeftArrow, ImGuiKey_RightArrow);
+  const float up = steps(ImGuiKey_DownArrow, ImGuiKey_UpArrow);
+  if (ImGui::GetIO().KeyShift) {
+    orbit.right = std::clamp(orbit.right + 0.05f * right, -widest, widest);
+    orbit.up = std::clamp(orbit.up + 0.05f * up, -widest, widest);
+  } else {
+    orbit.yaw += 0.1f * right;
+    orbit.pitch = std::clamp(orbit.pitch + 0.06f * up, lowest_pitch, highest_pitch);
+  }
   if (key_pressed(ImGuiKey_PageUp)) orbit.zoom = std::min(1.1f * orbit.zoom, nearest);
   if (key_pressed(ImGuiKey_PageDown)) orbit.zoom = std::max(orbit.zoom / 1.1f, farthest);
 }
@@ -42,7 +55,7 @@ void use_mouse(const Screen& screen, Orbit& orbit) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                              ImGuiButtonFlags_MouseButtonMiddle);
   const ImGuiIO& io = ImGui::GetIO();
-  if (place(screen.ui, "stage", "stage", stage)) turn_with_keys(orbit);
+  if (place(screen.ui, "stage", "stage", stage)) move_with_keys(orbit);
   if (ImGui::IsItemActive()) {
     const bool turns = ImGui::IsMouseDown(0) && !io.KeyShift;
     turns ? turn_with_mouse(screen, orbit) : move_with_mouse(screen, orbit);

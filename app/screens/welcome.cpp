@@ -44,11 +44,14 @@ void draw_welcome(const Screen& screen) {
       "welcome.text", {{"count", std::to_string(screen.session.plan().trials.size())}});
   const bool has_code = participant_code_problem(screen.memory.code.data()).empty();
   bool pressed = false;
-  const float below = draw_text_page(
-      screen,
-      {own.empty() ? screen.texts("welcome.title") : own, text, screen.texts("button.start")},
-      has_code, pressed);
+  const float below = draw_text_page(screen,
+                                     {.title = own.empty() ? screen.texts("welcome.title") : own,
+                                      .text = text,
+                                      .button = screen.texts("button.start"),
+                                      .missing = screen.texts("welcome.code_missing")},
+                                     has_code, pressed);
   const bool entered = draw_code_field(screen, below + screen.ui.layout.size(32));
+  if (entered && !has_code) screen.memory.too_early = true;
   if ((pressed || entered) && has_code) screen.memory.wants_start = true;
 }
 

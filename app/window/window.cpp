@@ -183,6 +183,8 @@ void Window::swap() { glfwSwapBuffers(handle_); }
 
 bool Window::closing() const { return glfwWindowShouldClose(handle_) == GLFW_TRUE; }
 
+void Window::stay() { glfwSetWindowShouldClose(handle_, GLFW_FALSE); }
+
 void Window::close() { glfwSetWindowShouldClose(handle_, GLFW_TRUE); }
 
 std::string Window::description() const {

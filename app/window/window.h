@@ -40,6 +40,7 @@ class Window {
   void use();            // what is drawn now goes to this window
   bool closing() const;  // the person closed it
   void close();
+  void stay();                          // it is not closing after all
   int width() const { return width_; }  // pixels of the framebuffer
   int height() const { return height_; }
   double refresh_hz() const { return refresh_hz_; }  // 0: not known

@@ -42,6 +42,7 @@ class ByKeyboard : public testing::Test {
     bench_.key(GLFW_KEY_TAB);
     for (const int key : {GLFW_KEY_ENTER, GLFW_KEY_RIGHT, GLFW_KEY_UP}) bench_.key(key);
     bench_.key(GLFW_KEY_ESCAPE);
+    if (!bench_.session().paused()) bench_.key(GLFW_KEY_ESCAPE);  // a field is left first
     EXPECT_TRUE(bench_.session().paused());
     bench_.key(GLFW_KEY_ENTER);
     EXPECT_FALSE(bench_.session().paused());
@@ -104,6 +105,47 @@ TEST_F(ByKeyboard, DigitsAnswerOneQuestionAfterTheOther) {
   ASSERT_TRUE(tab_to("press", "answer:one:2"));
   bench_.type("4");
   EXPECT_EQ(bench_.session().answers()[0], 4) << "that of the question with the keyboard";
+}
+
+TEST_F(ByKeyboard, ADigitIsForTheNextQuestionAfterAnAnswerWithTheMouse) {
+  while (bench_.session().page().kind != PageKind::rating) do_page(bench_.session().page().kind);
+  bench_.click("answer:one:5");
+  bench_.type("3");
+  EXPECT_EQ(bench_.session().answers()[0], 5);
+  EXPECT_EQ(bench_.session().answers()[1], 3);
+}
+
+TEST_F(ByKeyboard, TheCameraTurnsTiltsMovesAndComesCloser) {
+  while (bench_.session().trial() == nullptr) do_page(bench_.session().page().kind);
+  ASSERT_TRUE(tab_to("stage", "stage"));
+  const Eigen::VectorXd weights = bench_.session().trial()->weights;
+  for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_PAGE_UP}) bench_.key(key);
+  const Orbit turned = bench_.view().stage().orbit();
+  EXPECT_GT(turned.yaw, 0);
+  EXPECT_GT(turned.pitch, 0);
+  EXPECT_GT(turned.zoom, 1);
+  EXPECT_EQ(turned.right, 0);
+  bench_.hold(GLFW_KEY_LEFT_SHIFT, true);
+  for (const int key : {GLFW_KEY_RIGHT, GLFW_KEY_UP}) bench_.key(key);
+  const Orbit moved = bench_.view().stage().orbit();
+  EXPECT_GT(moved.right, 0);
+  EXPECT_GT(moved.up, 0);
+  EXPECT_EQ(moved.yaw, turned.yaw);
+  EXPECT_EQ(bench_.session().trial()->weights, weights) << "the keys are the camera's";
+}
+
+TEST_F(ByKeyboard, EscapeClearsTheSearchBeforeItIsAPause) {
+  SessionBench bench("en", 1,
+                     "[study]\nname = 'list'\n[[interface]]\nname = 'labels'\n"
+                     "[[task]]\nname = 'match'\nkind = 'match'\ntargets = [{example = 'proud'}]\n");
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+  bench.type("sad");
+  ASSERT_EQ(bench.view().widgets().find("pick", "old"), nullptr);
+  bench.key(GLFW_KEY_ESCAPE);
+  EXPECT_FALSE(bench.session().paused());
+  EXPECT_NE(bench.view().widgets().find("pick", "old"), nullptr);
+  bench.key(GLFW_KEY_ESCAPE);
+  EXPECT_TRUE(bench.session().paused());
 }
 
 }  // namespace

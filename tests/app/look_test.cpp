@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace promenade::app {
@@ -84,6 +85,29 @@ TEST(Look, NoTextIsBelow16Pixels) {
     EXPECT_GE(font->FontSize, std::floor(16 * 1.362f));
   }
   ImGui::DestroyContext();
+}
+
+// Is there a picture for each of these?
+bool has_all(const ImFont& font, std::initializer_list<ImWchar> letters) {
+  return std::all_of(letters.begin(), letters.end(),
+                     [&](ImWchar letter) { return font.FindGlyphNoFallback(letter) != nullptr; });
+}
+
+TEST(Fonts, WhatPeopleWriteInJapaneseHasItsCharacters) {
+  ImFontAtlas atlas;
+  const Fonts fonts = load_fonts(atlas, 2, {"次へ"});
+  for (const ImFont* font : {fonts.text, fonts.bold}) {
+    EXPECT_TRUE(has_all(*font, {0x697D, 0x3057, 0x305D, 0x3046, 0x30AB}));
+  }
+  EXPECT_FALSE(has_all(*fonts.heading, {0x697D})) << "nobody writes headings";
+  EXPECT_LE(std::max(atlas.TexWidth, atlas.TexHeight), 8192) << "of the smallest cards";
+}
+
+TEST(Fonts, AStudyWithoutJapaneseHasASmallAtlas) {
+  ImFontAtlas atlas;
+  const Fonts fonts = load_fonts(atlas, 2, {"Next", "日本語"});
+  EXPECT_FALSE(has_all(*fonts.text, {0x697D}));
+  EXPECT_TRUE(has_all(*fonts.text, {0x65E5, 0x672C, 0x8A9E}));
 }
 
 }  // namespace

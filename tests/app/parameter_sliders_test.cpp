@@ -239,6 +239,17 @@ TEST_P(Sliders, BetweenWeightsAndSlidersTheFigureEases) {
   EXPECT_GT(difference(weights(3'400'000), by_hand), 1e-3);
 }
 
+TEST_P(Sliders, AWeightDraggedToAllAndBackLeavesTheOthersTheirProportions) {
+  begin({{"weights", std::string("draggable")}});
+  apply("slide", name(0), 1, 0);
+  VectorXd before = weights();
+  for (const double value : {0.8, 1.0, 0.5}) apply("weight", cycle(4), value, 1'000'000);
+  before(4) = 0;
+  VectorXd expected = before * (0.5 / before.sum());
+  expected(4) = 0.5;
+  EXPECT_LT(difference(weights(), expected), 1e-12);
+}
+
 TEST_P(Sliders, EveryRuleForNegativesSumsToOne) {
   for (const char* rule : {"clamp", "keep", "project"}) {
     begin({{"negative", std::string(rule)}});

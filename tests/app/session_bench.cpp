@@ -103,4 +103,15 @@ void SessionBench::type(const std::string& text) {
   frame();
 }
 
+void SessionBench::hold(int glfw_key, bool down) {
+  queue_.push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = down, .t_us = now_us_});
+  frame();
+}
+
+void SessionBench::wheel(double notches) {
+  queue_.push({.kind = UiEvent::Kind::wheel, .y = notches, .t_us = now_us_});
+  frame();
+  frame();
+}
+
 }  // namespace promenade::app::bench

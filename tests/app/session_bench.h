@@ -33,6 +33,9 @@ class SessionBench {
   const std::filesystem::path& file() const { return file_; }
   void stop(study::Actor actor = study::Actor::participant) { view_.stop("test", now_us_, actor); }
   void type(const std::string& text);
+  void hold(int glfw_key, bool down);  // a key that others are pressed with
+  void wheel(double notches);
+  void close_window() { view_.ask_to_close(now_us_); }
 
  private:
   std::int64_t now_us_ = 1'000'000;  // first: the session begins at it

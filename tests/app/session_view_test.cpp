@@ -69,6 +69,44 @@ TEST(SessionView, ClosingTheWindowInATrialAbortsItAndIsLogged) {
   EXPECT_EQ(count(bench, "trial WHERE outcome = 'aborted'"), 1);
 }
 
+TEST(SessionView, ClosingTheWindowIsAPauseThatCanBeLeft) {
+  SessionBench bench;
+  ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+  bench.close_window();
+  EXPECT_TRUE(bench.session().paused());
+  EXPECT_FALSE(bench.view().ended());
+  bench.click("resume");
+  EXPECT_FALSE(bench.session().paused());
+  bench.key(GLFW_KEY_ESCAPE);
+  bench.frame();
+  EXPECT_EQ(bench.view().widgets().find("press", "end"), nullptr) << "nobody wants to close it now";
+  bench.close_window();
+  EXPECT_FALSE(bench.view().ended());
+}
+
+TEST(SessionView, ClosingItTwiceOrSayingSoEndsTheSession) {
+  for (const bool by_button : {false, true}) {
+    SessionBench bench;
+    ASSERT_TRUE(bench.play(5, [&] { return bench.session().trial() != nullptr; }));
+    bench.close_window();
+    if (by_button) {
+      bench.click("end");
+    } else {
+      bench.close_window();
+    }
+    EXPECT_TRUE(bench.view().ended());
+    EXPECT_EQ(bench.session().outcome(), study::Outcome::stopped);
+    EXPECT_EQ(count(bench, "event WHERE kind = 'stop' AND actor = 'participant'"), 1);
+  }
+}
+
+TEST(SessionView, BeforeItBeganTheWindowClosesAtOnce) {
+  SessionBench bench;
+  bench.frame();
+  bench.close_window();
+  EXPECT_TRUE(bench.view().ended());
+}
+
 TEST(SessionView, WhoStoppedTheSessionIsLogged) {
   for (const study::Actor actor : {study::Actor::participant, study::Actor::experimenter}) {
     SessionBench bench;

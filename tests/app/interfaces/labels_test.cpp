@@ -1,6 +1,7 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include "app/shelf.h"
 #include "tests/app/panel_bench.h"
 
 namespace promenade::app {
@@ -108,6 +109,71 @@ TEST(Labels, ArrowKeysStayWithTheFilteredRows) {
   panel.type("sad");
   panel.key(GLFW_KEY_DOWN);
   EXPECT_EQ(panel.log().back().target, "sad");
+}
+
+void tab_to(PanelBench& panel, const std::string& kind, const std::string& target) {
+  for (int k = 0; k < 100 && !panel.focus().on(kind, target); ++k) panel.key(GLFW_KEY_TAB);
+  ASSERT_TRUE(panel.focus().on(kind, target));
+}
+
+TEST(Labels, TheFilterTakesSpacesAndKanaThatAreTypedElsewhere) {
+  PanelBench panel("labels");
+  tab_to(panel, "pick", "angry");
+  panel.type("a b");
+  EXPECT_EQ(panel.log().back().text, "a b");
+  EXPECT_TRUE(panel.focus().on("filter", "list"));
+  for (const int letter : {0x304B, 0x306A}) {
+    panel.push({.kind = UiEvent::Kind::character, .code = letter});
+  }
+  panel.frame();
+  EXPECT_EQ(panel.log().back().text, "a bかな");
+  for (const auto& input : panel.log()) EXPECT_EQ(input.kind, "filter");
+}
+
+TEST(Labels, TheFirstTypedLettersAreNotLostToTheField) {
+  PanelBench panel("labels", bench::space(), {}, {.language = "ja"});
+  for (const int letter : {0x697D, 0x3057, 0x3044}) {
+    panel.push({.kind = UiEvent::Kind::character, .code = letter});
+  }
+  panel.frame();
+  EXPECT_EQ(panel.log().back().text, "楽しい");
+}
+
+TEST(Labels, EscapeInTheFieldShowsAllAgain) {
+  PanelBench panel("labels");
+  panel.type("sad");
+  panel.key(GLFW_KEY_ESCAPE);
+  panel.frame();
+  EXPECT_EQ(panel.log().back().kind, "show_all");
+  EXPECT_NE(panel.find("pick", "old"), nullptr);
+}
+
+TEST(Labels, TheKeyboardGoesAlongWithTheRow) {
+  PanelBench panel("labels");
+  tab_to(panel, "pick", "angry");
+  for (int k = 0; k < 3; ++k) panel.key(GLFW_KEY_DOWN);
+  const std::string shown = panel.log().back().target;
+  EXPECT_NE(shown, "angry");
+  EXPECT_TRUE(panel.focus().on("pick", shown));
+  EXPECT_TRUE(panel.focus().ring());
+  panel.key(GLFW_KEY_ENTER);
+  EXPECT_EQ(panel.log().back().kind, "offer");
+  EXPECT_EQ(panel.log().back().target, shown);
+}
+
+TEST(Labels, ALongNameOfABookmarkEndsAtItsLimitOnce) {
+  PanelBench panel("labels");
+  panel.click("bookmark", "");
+  panel.click("goto", "1");
+  panel.click("edit", "1");
+  panel.frame();
+  panel.type(std::string(longest_bookmark_name + 5, 'x'));
+  const std::size_t reports = panel.log().size();
+  for (int k = 0; k < 10; ++k) panel.frame();
+  EXPECT_EQ(panel.log().size(), reports);
+  EXPECT_EQ(panel.log().back().text, std::string(longest_bookmark_name, 'x'));
+  panel.key(GLFW_KEY_BACKSPACE);
+  EXPECT_EQ(panel.log().back().text, std::string(longest_bookmark_name - 1, 'x'));
 }
 
 TEST(Labels, VariantsStandUnderTheirStyle) {

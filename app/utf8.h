@@ -1,0 +1,32 @@
+// Characters of UTF-8, as far as what people type needs them.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace promenade::app {
+
+// The beginning of a text, up to `most` characters.
+inline std::string_view first_characters(std::string_view text, int most) {
+  std::size_t end = 0;
+  for (int count = 0; end < text.size(); ++end) {
+    const bool begins = (static_cast<unsigned char>(text[end]) & 0xC0U) != 0x80U;
+    if (begins && ++count > most) break;
+  }
+  return text.substr(0, end);
+}
+
+// `code`: of the basic plane, as Dear ImGui hands characters on.
+inline void append_character(std::string& text, unsigned int code) {
+  const auto add = [&text](unsigned int byte) { text += static_cast<char>(byte); };
+  if (code < 0x80) return add(code);
+  if (code < 0x800) {
+    add(0xC0 | code >> 6);
+  } else {
+    add(0xE0 | code >> 12);
+    add(0x80 | (code >> 6 & 0x3F));
+  }
+  add(0x80 | (code & 0x3F));
+}
+
+}  // namespace promenade::app
