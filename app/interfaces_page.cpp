@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace promenade::app {
 namespace {
 
@@ -9,14 +11,17 @@ using study::InterfaceType;
 using study::ParameterSpec;
 
 std::string value_text(const study::ParameterValue& value) {
-  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return "\"" + std::get<std::string>(value) + "\"";
+  const bool quoted = std::holds_alternative<std::string>(value);
+  return quoted ? "\"" + to_text(value) + "\"" : to_text(value);
 }
 
 std::string allowed_text(const ParameterSpec& spec) {
   if (std::holds_alternative<bool>(spec.standard)) return "true or false";
-  if (std::holds_alternative<double>(spec.standard)) return "a number";
+  if (std::holds_alternative<double>(spec.standard)) {
+    std::string text = spec.whole ? "a whole number" : "a number";
+    if (std::isfinite(spec.least)) text += fmt::format(" from {}", spec.least);
+    return std::isfinite(spec.most) ? text + fmt::format(" to {}", spec.most) : text;
+  }
   if (spec.choices.empty()) return "a text";
   std::string text;
   for (const std::string& choice : spec.choices) text += (text.empty() ? "" : ", ") + choice;

@@ -43,6 +43,9 @@ class MinimapState final : public study::InterfaceState {
   study::Applied apply(const study::ControlInput& input) override;
   void weights(std::int64_t t_us, Eigen::VectorXd& weights) const override;
   std::vector<study::ControlInput> settings() const override;
+  void restored(const InterfaceState& left, const Eigen::VectorXd&, std::int64_t) override {
+    sight_ = static_cast<const MinimapState&>(left).sight_;
+  }
 
   const MinimapModel& model() const { return *model_; }
   const motion::Minimap& map() const;

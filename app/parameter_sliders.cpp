@@ -18,56 +18,6 @@ double smooth_step(double x) { return x * x * (3 - 2 * x); }
 
 }  // namespace
 
-int find_parameter(const SliderCatalogue& catalogue, std::string_view name) {
-  const auto found = std::find_if(catalogue.parameters.begin(), catalogue.parameters.end(),
-                                  [&](const SliderParameter& one) { return one.name == name; });
-  return found == catalogue.parameters.end()
-             ? -1
-             : static_cast<int>(found - catalogue.parameters.begin());
-}
-
-double in_unit(const SliderParameter& parameter, double value) {
-  return parameter.lowest + value * (parameter.highest - parameter.lowest);
-}
-
-double correlation(const VectorXd& a, const VectorXd& b) {
-  const VectorXd x = a.array() - a.mean();
-  const VectorXd y = b.array() - b.mean();
-  const double scale = x.norm() * y.norm();
-  return scale > 0 ? x.dot(y) / scale : 0;
-}
-
-std::vector<study::ParameterSpec> slider_parameter_specs() {
-  return {{.name = "weights",
-           .standard = std::string("shown"),
-           .choices = {"shown", "hidden", "draggable"},
-           .sentence = "shown: the blend weights stand beside the sliders, and can be hidden; "
-                       "hidden: they are not there; draggable: they can be dragged, too"},
-          {.name = "negative",
-           .standard = std::string("clamp"),
-           .choices = {"clamp", "keep", "project"},
-           .sentence = "what becomes of negative weights: clamp: 0 (as in the source); keep: they "
-                       "stay; project: the nearest weights without any"}};
-}
-
-void read_slider_parameters(const study::Parameters& parameters, SliderCatalogue& catalogue) {
-  const auto& column = std::get<std::string>(parameters.at("weights"));
-  catalogue.column = column == "hidden"      ? WeightsColumn::hidden
-                     : column == "draggable" ? WeightsColumn::draggable
-                                             : WeightsColumn::shown;
-  const auto& rule = std::get<std::string>(parameters.at("negative"));
-  catalogue.rule = rule == "keep"      ? motion::NegativeRule::keep
-                   : rule == "project" ? motion::NegativeRule::project
-                                       : motion::NegativeRule::clamp;
-}
-
-std::vector<std::string> slider_texts(std::vector<std::string> own) {
-  own.insert(own.end(), {"sliders.add", "sliders.most", "sliders.none", "sliders.add_title",
-                         "sliders.alter_title", "sliders.weights", "sliders.show", "sliders.hide",
-                         "sliders.primary"});
-  return own;
-}
-
 ParameterSliders::ParameterSliders(const study::InterfaceContext& context)
     : catalogue_(std::static_pointer_cast<const SliderCatalogue>(context.model)),
       set_(&context.space.set),
@@ -148,6 +98,14 @@ void ParameterSliders::weights(std::int64_t t_us, VectorXd& weights) const {
   const double share = eased(t_us);
   weights = target_;
   if (share < 1) weights += (1 - share) * (from_ - target_);
+}
+
+// Undo eases the figure over as every change of the sliders does.
+void ParameterSliders::restored(const InterfaceState& left, const VectorXd& shown,
+                                std::int64_t t_us) {
+  weights_visible_ = static_cast<const ParameterSliders&>(left).weights_visible_;
+  from_ = shown;
+  began_us_ = t_us;
 }
 
 double ParameterSliders::weight_at(std::int64_t t_us, int cycle) const {

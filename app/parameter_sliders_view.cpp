@@ -39,7 +39,7 @@ struct RowPlan {
 
 RowPlan plan_of_row(const InterfacePanel& panel, const Box& row, bool pictogram) {
   const auto size = [&panel](float at_720) { return panel.size(at_720); };
-  const float from = row.x + (pictogram ? size(44) : 0);
+  const float from = row.x + (pictogram ? size(48) : 0);
   const float width = row.right() - size(32) - from;
   RowPlan plan;
   plan.title = {row.x, row.y, row.width, size(22)};

@@ -120,13 +120,17 @@ Cast SessionView::cast() const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
     const study::Task& task = task_of(bundle_.study, planned());
+    const auto& cycles = bundle_.space.set.cycles;
     return {.target = trial->target ? &*trial->target : nullptr,
             .created = &trial->cycle,
+            .reference =
+                task.reference < 0 ? nullptr : &cycles[static_cast<std::size_t>(task.reference)],
             .blind = task.blind};
   }
   if (session.page().kind != PageKind::instructions) return {};
-  const bool match = task_of(bundle_.study, planned()).kind == study::TaskKind::match;
-  return {.target = match ? &average_ : nullptr, .created = &average_};
+  const study::Task& task = task_of(bundle_.study, planned());
+  const bool match = task.kind == study::TaskKind::match;
+  return {.target = match ? &average_ : nullptr, .created = task.blind ? nullptr : &average_};
 }
 
 const study::PlannedTrial& SessionView::planned() const {

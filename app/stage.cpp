@@ -26,24 +26,31 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
   double seconds = passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us);
   seconds *= pace_.playing ? pace_.speed : 0;
   last_us_ = now_us;
-  const motion::Cycle* pace = cast.target      ? cast.target
-                              : cast.reference ? cast.reference
-                                               : cast.created;
+  const motion::Cycle* pace = cast.target != nullptr ? cast.target : cast.created;
   const double before = phase_;
-  if (pace != nullptr) {
-    phase_ = motion::phase_at(set_, *pace, motion::seconds_at(set_, *pace, before) + seconds);
+  const double reference_before = reference_phase_;
+  if (pace != nullptr) phase_ = walked(*pace, before, seconds);
+  if (cast.reference != nullptr) {
+    reference_phase_ = walked(*cast.reference, reference_before, seconds);
   }
-  pose(figure(Role::target), cast.target, before);
-  pose(figure(Role::reference), cast.reference, before);
-  pose(figure(Role::created), cast.created, before);
-  figure(Role::created).hidden = cast.blind;
+  pose(figure(Role::target), cast.target, before, phase_);
+  pose(figure(Role::reference), cast.reference, reference_before, reference_phase_);
+  // Nothing of a hidden figure may show, not even how fast its ground would go by.
+  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
+  pose(figure(Role::created), cast.created, before, phase_);
   phase_ -= std::floor(phase_);
+  reference_phase_ -= std::floor(reference_phase_);
 }
 
-void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
+// The phase that many seconds later, not wrapped.
+double Stage::walked(const motion::Cycle& cycle, double phase, double seconds) const {
+  return motion::phase_at(set_, cycle, motion::seconds_at(set_, cycle, phase) + seconds);
+}
+
+void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before, double phase) {
   figure.present = cycle != nullptr;
-  if (cycle == nullptr) return;
-  motion::pose_at(set_, *cycle, phase_, pose_);
+  if (cycle == nullptr || figure.hidden) return;
+  motion::pose_at(set_, *cycle, phase, pose_);
   motion::forward_kinematics(set_.skeleton, pose_, world_);
   place_parts(mannequin_, world_, figure.parts);
   turn(figure.parts, start_yaw + orbit_.yaw);
@@ -51,7 +58,7 @@ void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before) {
   if (!travels_) return;
   // In its own time, so that its feet stay where they stand.
   const double seconds =
-      motion::seconds_at(set_, *cycle, phase_) - motion::seconds_at(set_, *cycle, before);
+      motion::seconds_at(set_, *cycle, phase) - motion::seconds_at(set_, *cycle, before);
   figure.travel += (cycle->velocity * seconds).cast<float>();
   // The grid repeats every metre.
   figure.travel -= figure.travel.array().floor().matrix();

@@ -37,7 +37,8 @@ class Stage {
 
   // One step of time. All walk at one phase, so that a change of weights never makes a
   // figure jump. The target sets the pace, since what is to be matched must not change
-  // with the controls; alone, the created figure walks at its own.
+  // with the controls; alone, the created figure walks at its own. A reference is a
+  // yardstick of tempo, too: it walks in its own time.
   void advance(std::int64_t now_us, const Cast& cast);
   // Time passed in which nothing moved.
   void rest(std::int64_t now_us) { last_us_ = now_us; }
@@ -66,7 +67,8 @@ class Stage {
   };
   const Figure& figure(Role role) const { return figures_[static_cast<std::size_t>(role)]; }
   Figure& figure(Role role) { return figures_[static_cast<std::size_t>(role)]; }
-  void pose(Figure& figure, const motion::Cycle* cycle, double before);
+  double walked(const motion::Cycle& cycle, double phase, double seconds) const;
+  void pose(Figure& figure, const motion::Cycle* cycle, double before, double phase);
   Box spot(const Box& stage, Role role) const;
   void draw_ground(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
                    const Palette& palette, Role role);
@@ -77,7 +79,7 @@ class Stage {
   SmallFigures small_;
   Orbit orbit_;
   Pace pace_;
-  double phase_ = 0;
+  double phase_ = 0, reference_phase_ = 0;
   std::int64_t last_us_ = -1;
   std::array<Figure, 3> figures_;
   motion::Pose pose_;

@@ -1,9 +1,17 @@
 #include "study/interface.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
 namespace promenade::study {
+
+std::string to_text(const ParameterValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return std::get<std::string>(value);
+}
 
 Eigen::VectorXd weights_of(const InterfaceState& state, std::int64_t t_us) {
   Eigen::VectorXd weights;

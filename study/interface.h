@@ -32,6 +32,7 @@ struct ControlInput {
 };
 
 using ParameterValue = std::variant<bool, double, std::string>;
+std::string to_text(const ParameterValue& value);  // without quotes
 using Parameters = std::map<std::string, ParameterValue, std::less<>>;
 
 // A key that [[interface]] in a study file may set.
@@ -40,6 +41,10 @@ struct ParameterSpec {
   ParameterValue standard;           // its type is the type that is allowed
   std::vector<std::string> choices;  // for strings; empty: any
   std::string sentence;              // with its unit; for the documentation
+  // For numbers: the ends of what is allowed, and whether it must be a whole one.
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool whole = false;
 };
 
 struct AdjectiveModel;
@@ -86,6 +91,12 @@ class InterfaceState {
   // N weights that sum to 1, a function of the inputs and the time alone.
   // Allocation-free when `weights` has N.
   virtual void weights(std::int64_t t_us, Eigen::VectorXd& weights) const = 0;
+  // Called on a state to which undo or redo comes back: `left` are the controls that are
+  // left, and `shown` what they showed. What is aside (a zoom, a filter) stays as it is in
+  // `left`; and where changes ease, this one does.
+  virtual void restored([[maybe_unused]] const InterfaceState& left,
+                        [[maybe_unused]] const Eigen::VectorXd& shown,
+                        [[maybe_unused]] std::int64_t t_us) {}
   // The controls as they stand, as inputs that would set them: what is logged when a
   // trial begins, so that a start value is never taken for an answer.
   virtual std::vector<ControlInput> settings() const { return {}; }
@@ -104,6 +115,7 @@ struct InterfaceType {
   std::string sentence;  // what it is, for the documentation
   std::vector<ParameterSpec> parameters;
   std::vector<std::string> texts;  // keys of configs/languages/*.toml that it shows
+  bool shows_motion = false;       // its panel shows the created figure: not for blind tasks
   // Once for each [[interface]] of a study; empty: there is nothing to work out.
   std::function<PreparedModel(const InterfaceResources&, const Parameters&)> prepare = {};
   std::function<std::unique_ptr<InterfaceState>(const InterfaceContext&)> start;

@@ -1,5 +1,8 @@
 // [[interface]]: the conditions of a study and the parameters of their types.
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 #include "motion/did_you_mean.h"
 #include "study/study_parts.h"
@@ -18,12 +21,30 @@ bool is_choice(const ParameterSpec& spec, const ParameterValue& value) {
          std::find(spec.choices.begin(), spec.choices.end(), *word) != spec.choices.end();
 }
 
+// "a whole number from 1 to 100"
+std::string range_text(const ParameterSpec& spec) {
+  std::string text = spec.whole ? "a whole number" : "a number";
+  if (std::isfinite(spec.least)) text += fmt::format(" from {}", spec.least);
+  if (std::isfinite(spec.most)) text += fmt::format(" to {}", spec.most);
+  return text;
+}
+
+bool in_range(const ParameterSpec& spec, const ParameterValue& value) {
+  const double* number = std::get_if<double>(&value);
+  return !number || (*number >= spec.least && *number <= spec.most &&
+                     (!spec.whole || *number == std::round(*number)));
+}
+
 ParameterValue read_parameter(const TomlTable& table, const ParameterSpec& spec) {
   const std::optional<TomlScalar> value = table.scalar(spec.name);
   if (!value) return spec.standard;
   if (value->index() != spec.standard.index()) {
     table.error(spec.name, "\"" + spec.name + "\" must be " + type_word(spec.standard) +
                                ", but is " + type_word(*value));
+    return spec.standard;
+  }
+  if (!in_range(spec, *value)) {
+    table.error(spec.name, "\"" + spec.name + "\" must be " + range_text(spec));
     return spec.standard;
   }
   if (!is_choice(spec, *value)) {

@@ -9,6 +9,7 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/ratings_csv.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -85,6 +86,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
   if (!bundle.ratings_sha256.empty()) put(bytes, bundle.ratings_sha256);
+  if (bundle.adjectives) put(bytes, ratings_csv(bundle.adjectives->table));
   for (const std::string& language : bundle.study.languages) {
     const Texts texts = load_texts(language);
     for (const std::string& key : texts.keys()) {
@@ -96,7 +98,11 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
     const InterfaceType* type = registry.find(use.type);
     put(bytes, type->name);
     put(bytes, type->sentence);
-    for (const ParameterSpec& spec : type->parameters) put(bytes, spec.name);
+    // With the standards that the study does not say: they may change.
+    for (const auto& [name, value] : use.parameters) {
+      put(bytes, name);
+      put(bytes, to_text(value));
+    }
   }
   return sha256_hex(bytes);
 }

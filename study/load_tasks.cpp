@@ -98,6 +98,30 @@ void read_find(const TomlTable& table, const StudyContext& context, Task& task) 
   if (!table.has("qualities")) table.error(R"(a "find" task needs "qualities")");
 }
 
+// Whose panel shows the figure cannot be used blind.
+void refuse_seeing(const TomlTable& table, const StudyContext& context, const Task& task) {
+  for (const int index : task.interfaces) {
+    const InterfaceUse& use = context.study.interfaces[static_cast<std::size_t>(index)];
+    const InterfaceType* type = context.registry.find(use.type);
+    if (!type || !type->shows_motion) continue;
+    table.error("blind", "the interface \"" + use.name +
+                             "\" shows the figure in its panel, so that this task cannot be "
+                             "blind; name others in \"interfaces\"");
+  }
+}
+
+// reference = "normal": an example that walks beside the others.
+int read_reference(const TomlTable& table, const StudyContext& context) {
+  const std::optional<std::string> name = table.text("reference");
+  if (!name || !context.space) return -1;
+  const int cycle = motion::find_cycle(context.space->set, *name);
+  if (cycle < 0) {
+    table.error("reference", "the motion set has no motion \"" + *name + "\"" +
+                                 did_you_mean(*name, motion::names_of(context.space->set)));
+  }
+  return cycle;
+}
+
 Task read_task(const TomlTable& table, const StudyContext& context) {
   Task task;
   task.name = read_name(table);
@@ -107,7 +131,9 @@ Task read_task(const TomlTable& table, const StudyContext& context) {
   table.choice("start", {"average"});
   task.blind = table.boolean("blind").value_or(false);
   task.playback = table.boolean("playback").value_or(false);
+  task.reference = read_reference(table, context);
   task.interfaces = read_interface_list(table, context.study);
+  if (task.blind) refuse_seeing(table, context, task);
   // Without a kind the other keys tell: what is wrong with them is said all the same.
   const bool find = kind ? *kind == "find" : table.has("qualities");
   task.kind = find ? TaskKind::find : TaskKind::match;

@@ -16,7 +16,7 @@ T value_of(const Parameters& parameters, std::string_view name, T standard) {
 }
 
 int count_of(const Parameters& parameters, std::string_view name, int standard) {
-  const double wanted = value_of<double>(parameters, name, standard);
+  const auto wanted = value_of<double>(parameters, name, standard);
   return static_cast<int>(std::lround(std::clamp(wanted, 0.0, 1e6)));
 }
 

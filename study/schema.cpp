@@ -125,7 +125,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"trial", "paused_us", "us",
      "how long the trial stood still in pauses; part of ended_us - started_us, not of limit_s"},
     {"trial", "clicks", "", "presses of a mouse button during the trial"},
-    {"trial", "changes", "", "changes of the controls by the participant"},
+    {"trial", "changes", "", "changes of what is shown by the participant; a drag counts once"},
     {"trial", "late_frames", "", "frames shown more than half a frame late"},
     {"event", "session", "", "session.uuid"},
     {"event", "trial", "", "trial.uuid; null outside trials"},

@@ -131,7 +131,8 @@ struct History {
     bool touched = false;
   };
   std::vector<Step> undo, redo;
-  std::string gesture;  // "kind target" of the one that goes on; empty: it has ended
+  std::string gesture;   // "kind target" of the one that goes on; empty: it has ended
+  bool counted = false;  // it has changed what is shown
   std::int64_t last_us = 0;
 };
 
@@ -155,6 +156,7 @@ struct TrialState {
   motion::Cycle cycle;                  // the same as a cycle
   std::optional<motion::Cycle> target;
   std::optional<motion::DistancePoints> target_points;  // of the target, for D
+  motion::DistancePoints points;                        // of what is shown: scratch
   std::optional<double> d;                              // of what is shown
   std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
   TrialEnded summary;                                   // filled as it goes

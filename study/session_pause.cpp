@@ -14,6 +14,7 @@ void Session::Steps::wake() {
   const std::int64_t stood_us = input.t_us - *session.paused_since_us_;
   session.paused_since_us_.reset();
   if (std::holds_alternative<Resume>(input.action)) log("resume");
+  session.opened_us_ += stood_us;
   if (!session.trial_) return;
   TrialState& trial = *session.trial_;
   trial.summary.paused_us += stood_us;

@@ -16,9 +16,8 @@ void measure(const motion::PoseBank& bank, motion::DistanceTimes times, TrialSta
   motion::set_weights(bank, trial.weights, trial.blend);
   motion::blended_cycle(bank, trial.blend, trial.cycle);
   if (!trial.target_points) return;
-  motion::DistancePoints points;
-  motion::distance_points(bank, trial.blend, points, times);
-  const motion::Distance d = motion::distance(*trial.target_points, points);
+  motion::distance_points(bank, trial.blend, trial.points, times);
+  const motion::Distance d = motion::distance(*trial.target_points, trial.points);
   TrialEnded& summary = trial.summary;
   trial.d = d.mean_m;
   summary.d_best = std::min(summary.d_best.value_or(d.mean_m), d.mean_m);
@@ -194,11 +193,16 @@ void Session::Steps::act(const Control& control) {
   event.detail = control_json(change, applied, first);
   if (applied != Applied::done) return;
   remember(change, std::move(before), trial.touched);
-  if (input.actor == Actor::participant) ++trial.summary.changes;
   trial.interface->weights(change.t_us, trial.next);
   // The first touch counts even where it shows the start: from now on it can win.
-  const bool shows = !trial.touched || trial.next != trial.weights;
+  const bool changes = trial.next != trial.weights;
+  const bool shows = !trial.touched || changes;
   trial.touched = true;
+  // A drag is one change, however many frames it took.
+  if (changes && input.actor == Actor::participant && !trial.history.counted) {
+    trial.history.counted = true;
+    ++trial.summary.changes;
+  }
   if (!shows) return;
   trial.weights.swap(trial.next);
   show(trial, input.t_us, true);

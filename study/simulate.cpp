@@ -12,6 +12,7 @@ namespace promenade::study {
 namespace {
 
 constexpr std::int64_t press_to_action_us = 90'000;
+constexpr std::int64_t frame_us = 16'667;
 constexpr std::int64_t longest_session_us = 24LL * 3600 * 1'000'000;
 
 bool by_hand(const decltype(Input::action)& action) {
@@ -105,6 +106,12 @@ std::string code_of(int number) {
   return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
 }
 
+// Do the weights still move by themselves?
+bool glides(const Session& session) {
+  const TrialState* trial = session.trial();
+  return trial && trial->touched && weights_of(*trial->interface, settled_us) != trial->weights;
+}
+
 // Goes on from `done` until the cohort is whole or another process takes a number or an
 // order that was meant for it; then those that were simulated ahead are worth nothing.
 // False: the caller wants to stop.
@@ -147,19 +154,27 @@ std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceR
     input.action = std::move(action);
     for (Record& record : session.step(input)) records.push_back(std::move(record));
   };
+  // Frames pass while the controls glide, so that what they pass by is measured.
+  const auto wait = [&](std::int64_t wait_us) {
+    while (wait_us > frame_us && glides(session)) {
+      step(frame_us, Tick{});
+      wait_us -= frame_us;
+    }
+    return wait_us;
+  };
   while (!session.ended()) {
+    if (input.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
     Intention intention = participant.next(session);
     const Page page = session.page();
     if (!by_hand(intention.action)) {
-      step(intention.wait_us, std::move(intention.action));
+      step(wait(intention.wait_us), std::move(intention.action));
       continue;
     }
-    step(std::max<std::int64_t>(0, intention.wait_us - press_to_action_us), Press{});
+    step(wait(std::max<std::int64_t>(0, intention.wait_us - press_to_action_us)), Press{});
     // The page may have changed under the hand.
     const Page& now = session.page();
     const bool same = now.kind == page.kind && now.trial == page.trial;
     if (same) step(press_to_action_us, std::move(intention.action));
-    if (input.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
   }
   return records;
 }

@@ -98,6 +98,7 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   const Target& target = target_of(bundle_->study, planned);
   trial_ = {};
   trial_.index = state.index;
+  trial_.blind = task_of(bundle_->study, planned).blind;
   trial_.first = state.d.value_or(1);
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
   if (!target.weights) {
@@ -116,8 +117,9 @@ double SimulatedParticipant::imagined(const Eigen::VectorXd& weights) const {
   return trial_.metres_per_offset * std::sqrt(std::max(0.0, away.dot(gram_ * away)));
 }
 
+// Whoever works blind sees nothing of it.
 double SimulatedParticipant::seen(const TrialState& trial) const {
-  return trial.d ? *trial.d : imagined(trial.weights);
+  return trial.d && !trial_.blind ? *trial.d : imagined(trial.weights);
 }
 
 double SimulatedParticipant::unit() const { return trial_.target.size() > 0 ? 1 : 5; }
@@ -132,8 +134,8 @@ std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& sessi
     ideas.resize(static_cast<std::size_t>(person_.ideas));
   }
   // Only what seems better than what is seen is worth doing, except before the first try.
-  double best =
-      trial.touched ? seen(trial) + person_.eye_noise_m * unit() * rng_.normal() : INFINITY;
+  const double noise_m = trial_.blind ? person_.imagination_m : person_.eye_noise_m;
+  double best = trial.touched ? seen(trial) + noise_m * unit() * rng_.normal() : INFINITY;
   std::optional<ControlInput> chosen;
   for (const ControlInput& idea : ideas) {
     const std::unique_ptr<InterfaceState> next = trial.interface->clone();
@@ -155,10 +157,14 @@ Intention SimulatedParticipant::at_trial(const Session& session) {
   }
   const double now = seen(trial);
   trial_.success = std::clamp(1 - now / std::max(trial_.first, 1e-9), 0.0, 1.0);
-  if (trial.below_since_us) return {300'000, Tick{}};  // it fits: hands off
+  if (trial.below_since_us && !trial_.blind) return {300'000, Tick{}};  // it fits: hands off
   const bool impatient = trial_.spent_s > trial_.patience_s;
   // In find tasks what is good enough comes down with the time spent.
   const double good_enough = 0.25 + 0.5 * trial_.spent_s / trial_.patience_s;
+  // Blind, people stop when they believe that they are there.
+  if (trial_.blind && trial.touched && trial_.spent_s > 0.3 * trial_.patience_s) {
+    return after(person_.think_s, Done{});
+  }
   const bool found = trial_.appeal.size() > 0 && trial.touched &&
                      now + person_.eye_noise_m * unit() * rng_.normal() < good_enough;
   if (impatient || found) return after(person_.think_s, Done{});

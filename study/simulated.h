@@ -39,6 +39,7 @@ class SimulatedParticipant {
  private:
   struct Trial {
     int index = -1;
+    bool blind = false;
     double patience_s = 0;  // of this trial
     double spent_s = 0;
     Eigen::VectorXd target;        // N; empty in find tasks

@@ -174,6 +174,7 @@ const InterfaceEntry entry{{
     .parameters = {},
     .texts = {"interface.gallery.title", "interface.gallery.hint", "interface.gallery.larger",
               "interface.gallery.smaller", "interface.gallery.others"},
+    .shows_motion = true,
     .prepare =
         [](const study::InterfaceResources& resources, const study::Parameters&) {
           return study::PreparedModel{std::make_shared<Directions>(resources.space), ""};

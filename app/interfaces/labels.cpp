@@ -56,6 +56,10 @@ class Labels final : public InterfaceState {
   bool sorted() const { return sorted_; }
   Grouping grouping() const { return grouping_; }
   int group(int cycle) const { return groups_[static_cast<std::size_t>(cycle)]; }
+  void restored(const InterfaceState& left, const Eigen::VectorXd&, std::int64_t) override {
+    filter_ = static_cast<const Labels&>(left).filter_;
+  }
+
   const std::string& filter() const { return filter_; }
 
  private:
@@ -194,7 +198,7 @@ int row_by_key(const Extent& extent) {
   return -1;
 }
 
-// A slider, the stage and the name of a bookmark have the keys to themselves.
+// A slider, the figures and the name of a bookmark have the keys to themselves.
 bool keys_are_elsewhere(const Labels& labels, const Focus& focus) {
   return focus.on_kind("share") || focus.on_kind("scrub") || focus.on_kind("stage") ||
          labels.shelf().edited() > 0;

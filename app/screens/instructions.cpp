@@ -11,8 +11,8 @@ namespace {
 // What is asked, and how it ends.
 std::string match_text(const Screen& screen, const study::Task& task) {
   if (task.blind) return screen.texts("instructions.match_blind");
-  return screen.texts("instructions.match") + " " +
-         screen.texts(task.threshold_m ? "instructions.match_done" : "instructions.match_by_hand");
+  const char* ending = task.threshold_m ? "instructions.match_done" : "instructions.match_by_hand";
+  return screen.texts.with("instructions.match", {{"ending", screen.texts(ending)}});
 }
 
 std::string task_text(const Screen& screen) {
@@ -26,8 +26,8 @@ std::string task_text(const Screen& screen) {
 
 std::string help_text(const Screen& screen) {
   std::string text =
-      screen.texts("instructions.camera") + "\n\n" + screen.texts("instructions.start_over");
-  if (planned_trial(screen).practice) text += "\n\n" + screen.texts("instructions.practice");
+      screen.texts("instructions.camera") + "\n" + screen.texts("instructions.start_over");
+  if (planned_trial(screen).practice) text += "\n" + screen.texts("instructions.practice");
   return text;
 }
 

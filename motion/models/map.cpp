@@ -43,7 +43,9 @@ Vector2d deviations_on_map(const Minimap& map) {
 double glide_left(const Minimap& map, const MapState& state, std::int64_t t_us) {
   if (map.options.glide_s <= 0) return 0;
   const auto passed = static_cast<double>(std::max<std::int64_t>(0, t_us - state.t_us)) * 1e-6;
-  return std::exp(-passed / map.options.glide_s);
+  // Nobody sees the last thousandth, and what has arrived stands still.
+  const double left = std::exp(-passed / map.options.glide_s);
+  return left < 1e-3 ? 0 : left;
 }
 
 VectorXd drawn_rest(const Minimap& map, int nearest, const std::function<double()>& normal) {

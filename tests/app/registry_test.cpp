@@ -7,6 +7,7 @@
 
 #include <set>
 
+#include "study/load_study.h"
 #include "study/rng.h"
 #include "tests/app/panel_bench.h"
 #include "tests/motion/allocations.h"
@@ -181,6 +182,34 @@ TEST_P(EveryInterface, ItsTextsAreThereInEveryLanguage) {
     for (const char* part : {".title", ".hint", ".practice"}) {
       EXPECT_TRUE(known.count("interface." + GetParam() + part)) << language << part;
     }
+  }
+}
+
+TEST(BlindTask, RefusesPanelsThatShowTheFigure) {
+  const std::string text =
+      "[study]\nname = 'b'\n[[interface]]\nname = 'gallery'\n[[interface]]\nname = 'labels'\n"
+      "[[task]]\nname = 'guess'\nkind = 'match'\nblind = true\ntargets = [{example = 'proud'}]\n";
+  try {
+    study::read_study("b.toml", text, interfaces(), study::load_motion_set);
+    FAIL() << "the gallery shows what is hidden";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems().size(), 1U);
+    EXPECT_EQ(error.problems()[0].line, 10);
+    EXPECT_NE(error.problems()[0].message.find("gallery"), std::string::npos);
+  }
+}
+
+TEST(Parameters, OutOfRangeAreProblemsWithTheirPlace) {
+  const std::string text =
+      "[study]\nname = 'b'\n[[interface]]\nname = 'map'\nnearest = 0\nglide_s = -1\n"
+      "components = 2.5\n[[task]]\nname = 'copy'\nkind = 'match'\n"
+      "targets = [{example = 'proud'}]\n";
+  try {
+    study::read_study("b.toml", text, interfaces(), study::load_motion_set);
+    FAIL() << "none of these can be used";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems().size(), 3U);
+    for (const Problem& problem : error.problems()) EXPECT_GE(problem.line, 5);
   }
 }
 

@@ -36,6 +36,17 @@ TEST(Stage, TheTargetSetsThePace) {
   EXPECT_EQ(both.phase(), alone.phase());
 }
 
+TEST(Stage, AReferenceLeavesThePaceToWhatIsCreated) {
+  Stage alone(set(), bank());
+  Stage both(set(), bank());
+  for (const std::int64_t t : {0, 300'000}) {
+    alone.advance(t, {.created = &cycle("old")});
+    both.advance(t, {.created = &cycle("old"), .reference = &cycle("happy")});
+  }
+  EXPECT_EQ(both.phase(), alone.phase());
+  EXPECT_TRUE(both.shows(Role::reference));
+}
+
 TEST(Stage, StandsStillInAPauseAndWalksHalfAsFastInSlowMotion) {
   Stage stage(set(), bank());
   const motion::Cycle& walk = cycle("normal");

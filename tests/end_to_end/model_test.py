@@ -131,6 +131,23 @@ class Model(ProgramTest):
         self.assertEqual(again["prediction"]["left_out"], model["prediction"]["left_out"])
         self.assertEqual(self.call("model", "raters", "mine").returncode, 2)
 
+    def test_a_study_takes_its_adjectives_from_ratings(self):
+        self.call("model", "raters", "builtin:A", "--out", "r.csv")
+        study = self.write("s.toml", '[study]\nname = "s"\nratings = "r.csv"\n[[interface]]\n'
+                           'name = "adjectives"\n[[task]]\nname = "t"\nkind = "find"\n'
+                           'qualities = [{ name = "tired" }]\n')
+        simulated = self.document("check", study, "--json")["studies"][0]
+        self.assertTrue(any("simulated raters" in p["message"] for p in simulated["problems"]))
+        people = (self.folder / "r.csv").read_text().replace("simulated-", "person-")
+        self.write("r.csv", people)
+        real = self.document("check", study, "--json")["studies"][0]
+        self.assertEqual(real["problems"], [])
+        self.assertNotEqual(real["sha256"], simulated["sha256"])
+        self.write("r.csv", people + "person-01,nobody,slow-fast,1\n")
+        refused = self.call("check", study)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("r.csv:5742:", refused.stderr)
+
     def test_dropped_pairs_say_by_which_threshold(self):
         for pair in self.document("model", "adjectives", "builtin:A")["pairs"]:
             by = (["mu_star"] if pair["mu_star"] < 1.0 else [])

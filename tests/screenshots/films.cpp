@@ -150,6 +150,11 @@ void add_pages(std::vector<Film>& films) {
 
 void add_variants(std::vector<Film>& films) {
   films.push_back(one_picture("blind", {.match = "blind = true", .interfaces = usual()}));
+  films.push_back(one_picture("instructions-blind",
+                              {.match = "blind = true", .interfaces = usual()},
+                              [](Studio& studio) { to_page(studio, PageKind::instructions); }));
+  films.push_back(
+      one_picture("reference", {.match = "reference = \"normal\"", .interfaces = usual()}));
   films.push_back(one_picture("playback", {.match = "playback = true", .interfaces = usual()}));
   films.push_back(one_picture("pilot", {.interfaces = usual()}));
   films.back().pilot = true;

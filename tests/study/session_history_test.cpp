@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "play.h"
+#include "study/simulate.h"
 #include "toy.h"
 
 namespace promenade::study {
@@ -96,6 +97,42 @@ TEST(Undo, IsLoggedWithWhatItShows) {
   one.player.at(300, Undo{});
   EXPECT_EQ(one.player.all<Event>().back().kind, "undo");
   EXPECT_EQ(one.player.all<Sample>().size(), samples + 1);
+}
+
+TEST(Undo, TwoPicksInARowAreTwoSteps) {
+  const StudyBundle bundle = toy::bundle(
+      "[study]\nname = 'short'\n[[interface]]\nname = 'pick'\n[[task]]\nname = 'copy'\n"
+      "kind = 'match'\ntargets = [{example = 'far'}]\n");
+  Player player(bundle);
+  player.to_trial(10);
+  player.at(100, toy::pick("near"));
+  player.at(101, toy::pick("near"));
+  EXPECT_EQ(player.session.trial()->history.undo.size(), 2U);
+}
+
+TEST(Changes, ADragIsOneAndWhatShowsTheSameIsNone) {
+  Sliding one;
+  one.drag(100, "near", 1);
+  one.drag(200, "side", 0.5);
+  one.drag(300, "side", 0.5);  // ends where it was; on the way it was elsewhere
+  one.player.at(400, Press{});
+  one.player.at(401, toy::slide("side", 0.5));
+  EXPECT_EQ(one.trial().summary.changes, 3);
+}
+
+TEST(Blind, SimulatedPeoplePressDone) {
+  const StudyBundle bundle = toy::bundle(
+      "[study]\nname = 'short'\n[[interface]]\nname = 'pick'\n[[task]]\nname = 'copy'\n"
+      "kind = 'match'\nblind = true\nthreshold = 'auto'\ntargets = [{example = 'far'}]\n");
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    int done = 0;
+    for (const Record& record :
+         simulate_session(bundle, toy::registry(), make_plan(bundle.study, 0), seed)) {
+      const auto* event = std::get_if<Event>(&record);
+      done += event && event->kind == "done";
+    }
+    EXPECT_EQ(done, 1) << seed;
+  }
 }
 
 TEST(FirstTouch, IsMarkedOnceForEachControl) {

@@ -1,6 +1,8 @@
 // Pauses, breaks and the choice of a language: pages and clocks that wait.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "play.h"
 #include "study/session.h"
 #include "toy.h"
@@ -100,6 +102,58 @@ TEST_F(PausedTrial, LogsWhoPausedItAndWhoWentOn) {
     EXPECT_EQ(event.trial, 0);
   }
   EXPECT_EQ(kinds, (std::vector<std::string>{"pause", "resume"}));
+}
+
+// Glides to "far" within ten seconds of its only input.
+class Glide final : public InterfaceState {
+ public:
+  std::unique_ptr<InterfaceState> clone() const override { return std::make_unique<Glide>(*this); }
+  Applied apply(const ControlInput& input) override {
+    since_us_ = input.t_us;
+    return Applied::done;
+  }
+  void weights(std::int64_t t_us, Eigen::VectorXd& weights) const override {
+    const double share = std::clamp(static_cast<double>(t_us - since_us_) / 1e7, 0.0, 1.0);
+    weights.resize(3);
+    weights << 1 - share, 0, share;
+  }
+
+ private:
+  std::int64_t since_us_ = 0;
+};
+
+InterfaceRegistry gliding_registry() {
+  InterfaceRegistry registry;
+  InterfaceType type;
+  type.name = "pick";
+  type.start = [](const InterfaceContext&) { return std::make_unique<Glide>(); };
+  registry.add(std::move(type));
+  return registry;
+}
+
+TEST(Pause, HoldsAGlideWhereItIs) {
+  const InterfaceRegistry registry = gliding_registry();
+  const StudyBundle bundle =
+      read_study("toy.toml", timed_study(), registry,
+                 [](const std::string&, const std::string&) { return toy::motion_set(); });
+  Session session(bundle, registry, make_plan(bundle.study, 0));
+  const auto at = [&](std::int64_t seconds, decltype(Input::action) action) {
+    Input input;
+    input.t_us = seconds * second;
+    input.action = std::move(action);
+    session.step(input);
+  };
+  for (int page = 0; page < 3; ++page) at(0, Continue{});
+  at(1, toy::pick("far"));
+  at(3, Tick{});
+  EXPECT_NEAR(session.trial()->weights(2), 0.2, 1e-12);
+  at(3, Pause{});
+  at(60, Resume{});
+  at(61, Tick{});
+  EXPECT_NEAR(session.trial()->weights(2), 0.3, 1e-12);
+  at(62, toy::pick("far"));
+  at(63, Tick{});
+  EXPECT_NEAR(session.trial()->weights(2), 0.1, 1e-12) << "an input after the pause begins anew";
 }
 
 TEST(Pause, OfAPageOfTextLeavesItWhereItWas) {

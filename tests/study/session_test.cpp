@@ -123,7 +123,7 @@ TEST(Session, LeavesTheDwellTimeRunningWhenAControlChangesNothing) {
   player.at(9 * second, Tick{});
   const TrialEnded ended = player.all<TrialEnded>().at(0);
   EXPECT_EQ(ended.t_us, 3 * second + 500'000);
-  EXPECT_EQ(ended.changes, 2);
+  EXPECT_EQ(ended.changes, 1);
 }
 
 TEST(Session, LogsOnlyTheNumbersThatAControlHas) {
