@@ -86,6 +86,7 @@ bool has_kana(const std::string& text) {
 Fonts load_fonts(ImFontAtlas& atlas, float scale, const std::vector<std::string>& words) {
   require_fonts();
   atlas.Clear();
+  atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
   ImFontGlyphRangesBuilder builder;
   builder.AddRanges(atlas.GetGlyphRangesDefault());
   for (const std::string& text : words) builder.AddText(text.c_str());

@@ -118,7 +118,11 @@ void use_keys(const MinimapState& state, InterfacePanel& panel, const Chart& cha
   if (key_pressed(ImGuiKey_DownArrow)) return move_by_key(state, panel, chart, {0, -1});
   if (key_pressed(ImGuiKey_PageUp)) return zoom_by(state, panel, 1, state.point());
   if (key_pressed(ImGuiKey_PageDown)) return zoom_by(state, panel, -1, state.point());
-  if (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false)) {
+  // Where details are drawn by lot, Enter is the press that draws; Space is for the dots.
+  const bool enter = key_pressed(ImGuiKey_Enter, false);
+  const bool draws = enter && state.heuristic() == MapHeuristic::random;
+  if (draws) return report_point(state, panel, state.point(), false);
+  if (enter || key_pressed(ImGuiKey_Space, false)) {
     const Item item = item_at(state, chart, chart.pixel(state.point()), INFINITY);
     report_press(state.shelf(), item, "go", panel);
   }

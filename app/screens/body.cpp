@@ -26,10 +26,13 @@ float begin_body(const Screen& screen, const Box& box, float height) {
   return ImGui::GetCursorScreenPos().y;
 }
 
-void end_body(const Box& box, float bottom) {
+void end_body(const Screen& screen, const Box& box, float bottom) {
   ImGui::SetCursorScreenPos({box.x, bottom - 1});
   ImGui::Dummy({1, 1});
+  const bool goes_on = ImGui::GetScrollMaxY() > ImGui::GetScrollY();
   ImGui::EndChild();
+  const float line = screen.ui.layout.size(1);
+  if (goes_on) fill({box.x, box.bottom() - line, box.width, line}, screen.ui.look.palette.line);
 }
 
 }  // namespace promenade::app

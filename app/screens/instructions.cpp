@@ -96,7 +96,7 @@ void draw_words(const Screen& screen) {
     y += draw_paragraphs(part.font, box.x, y, box.width, ui.look.palette.text, part.text);
     y += ui.layout.size(part.gap);
   }
-  end_body(box, y);
+  end_body(screen, box, y);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ void draw_questions(const Screen& screen, float top) {
     draw_question(screen, rating, answers[i], spacing, y);
     y += question_height(screen, rating, spacing);
   }
-  end_body(box, y);
+  end_body(screen, box, y);
 }
 
 }  // namespace

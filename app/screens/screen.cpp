@@ -99,7 +99,7 @@ float draw_long_text(const Screen& screen, const Box& box, std::string_view text
   }
   const float top = begin_body(screen, box, height);
   draw_paragraphs(font, box.x, top, box.width, colour, text);
-  end_body(box, top + height);
+  end_body(screen, box, top + height);
   return box.bottom();
 }
 

@@ -95,7 +95,7 @@ bool main_button(const Screen& screen, const PageTexts& texts, const Box& box, b
 // What is drawn until end_body() scrolls, by wheel and keys, when its `height` is more than
 // that of the box. Returns where it begins, pixels; `bottom` is where it ended.
 float begin_body(const Screen& screen, const Box& box, float height);
-void end_body(const Box& box, float bottom);
+void end_body(const Screen& screen, const Box& box, float bottom);
 // How the trial before ended, if it did so by itself, in one calm line.
 void draw_just_ended(const Screen& screen, const Box& line);
 // In a practice trial: what to try next.

@@ -106,6 +106,20 @@ TEST(Map, EnterGoesToTheNearestDotAndThenOffersTheRest) {
   EXPECT_EQ(panel.log().back().kind, "offer");
 }
 
+TEST(Map, EnterDrawsByLotWhereThePointIsAndSpaceGoesToADot) {
+  PanelBench panel("map", bench::space(), {{"heuristic", std::string("random")}});
+  click(panel, free_place(panel));
+  panel.key(GLFW_KEY_RIGHT);
+  const Vector2d point = state_of(panel).point();
+  const VectorXd moved = panel.weights();
+  panel.key(GLFW_KEY_ENTER);
+  EXPECT_LT((state_of(panel).point() - point).norm(), 1e-9);
+  EXPECT_GT((panel.weights() - moved).norm(), 1e-3);
+  panel.key(GLFW_KEY_SPACE);
+  EXPECT_EQ(panel.log().back().kind, "go");
+  EXPECT_EQ(panel.weights().maxCoeff(), 1);
+}
+
 TEST(Map, TheTabKeyPassesByTheDots) {
   PanelBench panel("map");
   click(panel, free_place(panel));
