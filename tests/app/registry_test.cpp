@@ -45,11 +45,35 @@ ControlInput random_input(const InterfaceType& type, const InterfaceState& state
   return input;
 }
 
+// Every word that any interface knows, on every kind of thing.
+ControlInput wild_input(Rng& rng) {
+  static const std::vector<std::string> kinds = {
+      "go",     "point",    "pick", "slide", "only",   "reset",     "zoom",   "pan",
+      "whole",  "goto",     "mix",  "unmix", "share",  "offer",     "rename", "remove",
+      "edit",   "bookmark", "add",  "alter", "weight", "heuristic", "filter", "step",
+      "others", "list",     "back", "show",  "hide"};
+  static const std::vector<std::string> others = {"",     "1",       "2",   "9",      "#1",
+                                                  "#2",   "map",     "",    "larger", "smaller",
+                                                  "zero", "closest", "all", "random"};
+  const auto& cycles = bench::space().set.cycles;
+  ControlInput input;
+  input.kind = kinds[rng.below(kinds.size())];
+  input.target =
+      rng.below(2) == 0 ? cycles[rng.below(cycles.size())].name : others[rng.below(others.size())];
+  if (rng.below(2) == 0) input.value = rng.uniform();
+  if (rng.below(3) == 0) {
+    input.x = 4 * rng.uniform() - 2;
+    input.y = 4 * rng.uniform() - 2;
+  }
+  if (rng.below(4) == 0) input.text = std::string(rng.below(60), 'x') + "あ";
+  return input;
+}
+
 TEST_P(EveryInterface, WeightsAreFiniteAndSumToOneWhateverIsDone) {
   const std::unique_ptr<InterfaceState> state = start();
   Rng rng(1, 2, "test");
-  for (int k = 0; k < 10'000; ++k) {
-    state->apply(random_input(type(), *state, rng));
+  for (int k = 0; k < 20'000; ++k) {
+    state->apply(k % 2 == 0 ? wild_input(rng) : random_input(type(), *state, rng));
     const Eigen::VectorXd weights = study::weights_of(*state, 1000 * k);
     ASSERT_TRUE(weights.allFinite()) << k;
     ASSERT_EQ(weights.size(), bench::space().set.size());
@@ -90,7 +114,7 @@ TEST_P(EveryInterface, TheSameInputsLeadToTheSameWeights) {
   Rng rng(13, 14, "test");
   std::int64_t t_us = 0;
   for (int k = 0; k < 10'000; ++k) {
-    ControlInput input = random_input(type(), *one, rng);
+    ControlInput input = k % 2 == 0 ? wild_input(rng) : random_input(type(), *one, rng);
     input.t_us = t_us += static_cast<std::int64_t>(rng.below(300'000));
     // Frames in between ask the one for its weights and not the other.
     if (k % 3 == 0) study::weights_of(*one, t_us - 1);
