@@ -12,7 +12,7 @@ using study::ParameterSpec;
 
 std::string value_text(const study::ParameterValue& value) {
   const bool quoted = std::holds_alternative<std::string>(value);
-  return quoted ? "\"" + to_text(value) + "\"" : to_text(value);
+  return quoted ? "\"" + study::to_text(value) + "\"" : study::to_text(value);
 }
 
 std::string allowed_text(const ParameterSpec& spec) {

@@ -41,6 +41,7 @@ struct Task {
   TaskKind kind = TaskKind::match;
   std::optional<double> limit_s;      // nothing: as long as it takes
   std::optional<double> threshold_m;  // D that wins (match); nothing: only Done ends it
+  int reference = -1;                 // the cycle that walks beside as a yardstick; -1: none
   bool blind = false;                 // the created figure is not shown; only Done ends the trial
   bool playback = false;              // the walk can be paused, slowed down and scrubbed
   std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
