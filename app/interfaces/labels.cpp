@@ -198,7 +198,7 @@ int row_by_key(const Extent& extent) {
   return -1;
 }
 
-// A slider, the figures and the name of a bookmark have the keys to themselves.
+// A slider, the stage and the name of a bookmark have the keys to themselves.
 bool keys_are_elsewhere(const Labels& labels, const Focus& focus) {
   return focus.on_kind("share") || focus.on_kind("scrub") || focus.on_kind("stage") ||
          labels.shelf().edited() > 0;
