@@ -72,26 +72,34 @@ struct Paragraphs {
   std::string text;
   float gap;  // below, at 720
 };
+using Words = std::array<Paragraphs, 4>;
 
-std::array<Paragraphs, 4> paragraphs_of(const Screen& screen) {
+Words words_of(const Screen& screen, ImFont* font, float gap) {
   const Fonts& fonts = screen.ui.look.fonts;
   const std::string key = "interface." + use_of(screen).type + ".";
-  return {{{fonts.reading, task_text(screen), 18},
+  return {{{font, task_text(screen), gap},
            {fonts.bold, screen.texts(key + "title"), 2},
-           {fonts.reading, screen.texts(key + "hint"), 18},
+           {font, screen.texts(key + "hint"), gap},
            {fonts.text, help_text(screen), 0}}};
 }
 
-// Down to the figures.
-void draw_words(const Screen& screen) {
-  const Ui& ui = screen.ui;
-  const Box box = ui.layout.box(32, 84, 784, 384);
-  const std::array<Paragraphs, 4> words = paragraphs_of(screen);
+float height_of(const Screen& screen, const Words& words, float width) {
   float height = 0;
   for (const Paragraphs& part : words) {
-    height += paragraphs_height(part.font, box.width, part.text) + ui.layout.size(part.gap);
+    height += paragraphs_height(part.font, width, part.text) + screen.ui.layout.size(part.gap);
   }
-  float y = begin_body(screen, box, height);
+  return height;
+}
+
+// Down to the figures; long words are smaller, and scroll if they are still too long.
+void draw_words(const Screen& screen) {
+  const Ui& ui = screen.ui;
+  const Box box = ui.layout.box(32, 80, 784, 400);
+  Words words = words_of(screen, ui.look.fonts.reading, 18);
+  if (height_of(screen, words, box.width) > box.height) {
+    words = words_of(screen, ui.look.fonts.text, 10);
+  }
+  float y = begin_body(screen, box, height_of(screen, words, box.width));
   for (const Paragraphs& part : words) {
     y += draw_paragraphs(part.font, box.x, y, box.width, ui.look.palette.text, part.text);
     y += ui.layout.size(part.gap);

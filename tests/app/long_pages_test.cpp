@@ -102,6 +102,32 @@ TEST(LongPages, AConsentOfManyLinesScrollsByKeyAndWheel) {
   EXPECT_EQ(picture(), first);
 }
 
+// Every interface, and the task that is explained at greatest length.
+std::string study_of_all_interfaces() {
+  std::string text = "[study]\nname = 'all'\nlanguages = ['en', 'ja']\norder = 'fixed'\n";
+  for (const study::InterfaceType& type : interfaces().all()) {
+    text += "[[interface]]\nname = '" + type.name + "'\n";
+  }
+  return text +
+         "[[task]]\nname = 'match'\nkind = 'match'\nthreshold = 0.02\nlimit_s = 2\n"
+         "targets = [{example = 'proud'}]\npractice = [{example = 'happy'}]\n";
+}
+
+TEST(LongPages, OurOwnInstructionsNeedNoScrolling) {
+  for (const char* language : {"en", "ja"}) {
+    SessionBench bench(language, 1, study_of_all_interfaces());
+    for (std::size_t k = 0; k < interfaces().all().size(); ++k) {
+      ASSERT_TRUE(play_to(bench, PageKind::instructions));
+      bench.queue().push({.kind = UiEvent::Kind::move, .x = 400, .y = 300});
+      bench.frame();
+      const double before = picture();
+      bench.wheel(-1);
+      EXPECT_EQ(picture(), before) << language << k;
+      ASSERT_TRUE(play_to(bench, PageKind::trial));
+    }
+  }
+}
+
 TEST(LongPages, WhoeverPressesTooEarlyReadsWhatIsMissing) {
   SessionBench bench("en", 1, study_text(2));
   bench.frame();
