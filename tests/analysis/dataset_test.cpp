@@ -4,6 +4,7 @@
 
 #include "motion/files.h"
 #include "tests/analysis/toy_log.h"
+#include "tests/source_dir.h"
 
 namespace promenade::analysis {
 namespace {
@@ -22,7 +23,7 @@ TEST(Dataset, HasInterfacesInTheOrderOfTheStudy) {
 
 TEST(Dataset, HasTheMeasuresThatTheManualLists) {
   const std::string manual =
-      read_file(std::filesystem::path(PROMENADE_SOURCE_DIR) / "docs/analysts.md");
+      read_file(source_dir() / "docs/analysts.md");
   for (const Measure& measure : make_dataset({}, {}).measures) {
     const std::string unit = measure.unit.empty() ? " | " : " | " + measure.unit + " | ";
     EXPECT_NE(manual.find("| `" + measure.name + "`" + unit), std::string::npos) << measure.name;

@@ -10,6 +10,7 @@
 
 #include "motion/files.h"
 #include "motion/problem.h"
+#include "tests/source_dir.h"
 
 namespace promenade::analysis {
 namespace {
@@ -146,7 +147,7 @@ bool agree(const Json& actual, const Json& expected, const std::string& key) {
 std::filesystem::path shared_vectors() {
   const char* data = std::getenv("PROMENADE_DATA");
   const std::filesystem::path folder =
-      data ? data : std::filesystem::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+      data ? data : source_dir() / "../shared/data";
   return folder / "../stats/vectors.json";
 }
 

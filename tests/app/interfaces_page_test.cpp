@@ -7,11 +7,12 @@
 #include <sstream>
 
 #include "app/registry.h"
+#include "tests/source_dir.h"
 
 namespace promenade::app {
 namespace {
 
-const std::string file = std::string(PROMENADE_SOURCE_DIR) + "/docs/interfaces.md";
+const std::string file = (source_dir() / "docs/interfaces.md").string();
 
 // tools/docs sets PROMENADE_WRITE_DOCS: then the page is written first.
 TEST(InterfacesPage, IsWhatTheDeclarationsSay) {

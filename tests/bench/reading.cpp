@@ -12,6 +12,7 @@
 #include "motion/files.h"
 #include "motion/load_clip.h"
 #include "tests/motion/models/random.h"
+#include "tests/source_dir.h"
 
 namespace promenade::motion {
 namespace {
@@ -133,7 +134,7 @@ BENCHMARK(walks_from_disk_with_rotations)->Unit(benchmark::kMillisecond);
 void captures_from_disk_with_rotations(benchmark::State& state) {
   const char* named = std::getenv("PROMENADE_DATA");
   const fs::path folder =
-      named && *named ? fs::path(named) : fs::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+      named && *named ? fs::path(named) : source_dir() / "../shared/data";
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;

@@ -8,6 +8,7 @@
 
 #include "motion/load_clip.h"
 #include "motion/set_builder.h"
+#include "tests/source_dir.h"
 
 namespace promenade::motion {
 namespace {
@@ -16,7 +17,7 @@ namespace fs = std::filesystem;
 
 fs::path data_folder() {
   const char* named = std::getenv("PROMENADE_DATA");
-  return named && *named ? fs::path(named) : fs::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+  return named && *named ? fs::path(named) : source_dir() / "../shared/data";
 }
 
 // dataset-1_walk_happy_001.bvh and so on: fifteen styles, two takes each.

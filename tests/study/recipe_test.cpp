@@ -9,6 +9,7 @@
 #include "motion/set_file.h"
 #include "study/load_study.h"
 #include "tests/motion/walker.h"
+#include "tests/source_dir.h"
 
 namespace promenade::study {
 namespace {
@@ -208,7 +209,7 @@ TEST(Recipe, SaysMoreAboutSomeOfTheFilesOfAPattern) {
 
 TEST(Recipe, OfEverySetThatComesWithTheProgramIsReadUpToItsFolder) {
   for (const auto& entry :
-       fs::directory_iterator(fs::path(PROMENADE_SOURCE_DIR) / "configs/sets")) {
+       fs::directory_iterator(source_dir() / "configs/sets")) {
     try {
       load_recipe(entry.path().string(), (own_folder() / "nowhere").string());
       FAIL() << entry.path();

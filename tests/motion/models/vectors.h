@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/source_dir.h"
+
 namespace promenade::motion {
 
 inline nlohmann::json vector_cases(const std::string& family) {
   const char* data = std::getenv("PROMENADE_DATA");
   const std::filesystem::path folder =
-      data ? data : std::filesystem::path(PROMENADE_SOURCE_DIR) / "../shared/data";
+      data ? data : source_dir() / "../shared/data";
   const std::filesystem::path path = folder / "../stats/vectors.json";
   if (!std::filesystem::exists(path)) return nlohmann::json::array();
   std::ifstream file(path);
