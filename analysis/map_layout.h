@@ -21,8 +21,4 @@ struct LabelRoom {
 std::vector<LabelSpot> place_labels(const Eigen::Matrix2Xd& dots, const std::vector<double>& widths,
                                     double height, double radius, const LabelRoom& room);
 
-// Corners of the convex hull of some columns, counterclockwise; fewer than three: as
-// they are.
-std::vector<int> convex_hull(const Eigen::Matrix2Xd& points, std::vector<int> columns);
-
 }  // namespace promenade::analysis

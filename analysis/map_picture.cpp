@@ -9,6 +9,7 @@
 #include "analysis/gnuplot.h"
 #include "analysis/map_layout.h"
 #include "analysis/map_picture_parts.h"
+#include "motion/convex_hull.h"
 #include "motion/files.h"
 #include "motion/problem.h"
 
@@ -92,7 +93,7 @@ std::string clusters_data(const MapPicture& picture, int cluster) {
     }
     return text;
   };
-  std::vector<int> hull = convex_hull(picture.map.examples, members);
+  std::vector<int> hull = motion::convex_hull(picture.map.examples, members);
   if (!hull.empty()) hull.push_back(hull.front());
   return fmt::format("$dots{0} << EOD\n{1}EOD\n$hull{0} << EOD\n{2}EOD\n", cluster, rows(members),
                      rows(hull));

@@ -11,10 +11,9 @@ ExamplesWindow::ExamplesWindow(const study::StudyBundle& bundle, const WindowOpt
       gui_(make_palette(bundle.study.display.paper_colours), shown_words(bundle)),
       mannequin_(make_mannequin(bundle.space.set)),
       figures_(bundle.bank, mannequin_),
-      texts_(study::load_texts(bundle.study.languages.front())),
-      content_{bundle.space, texts_, names_, by_name_, &figures_} {
-  speak(bundle.study.languages.front());
-}
+      language_(bundle.study.languages.front()),
+      captions_(captions_in(language_, bundle.space.set)),
+      content_{bundle.space, captions_, &figures_} {}
 
 ExamplesWindow::~ExamplesWindow() {
   window_.use();
@@ -24,9 +23,7 @@ ExamplesWindow::~ExamplesWindow() {
 void ExamplesWindow::speak(const std::string& language) {
   if (language == language_) return;
   language_ = language;
-  texts_ = study::load_texts(language);
-  names_ = cycle_names(bundle_.space.set, texts_);
-  by_name_ = order_by_name(names_);
+  captions_ = captions_in(language, bundle_.space.set);
 }
 
 void ExamplesWindow::draw_names() {

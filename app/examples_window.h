@@ -36,14 +36,12 @@ class ExamplesWindow {
   FigureRenderer renderer_;
   Mannequin mannequin_;
   SmallFigures figures_;
-  study::Texts texts_;
-  std::vector<std::string> names_;
-  std::vector<int> by_name_;
+  std::string language_;
+  Captions captions_;
   study::InterfacePanel::Content content_;
   WidgetMap widgets_;
   Focus focus_;
   Eigen::VectorXd weights_;
-  std::string language_;
 };
 
 }  // namespace promenade::app

@@ -142,7 +142,7 @@ Named draw_all_names(const MinimapState& state, const Chart& chart, InterfacePan
   Named named;
   const Eigen::Matrix2Xd& examples = state.map().examples;
   for (int i = 0; i < examples.cols(); ++i) {
-    const std::string& name = panel.content().names[static_cast<std::size_t>(i)];
+    const std::string& name = panel.content().captions.names[static_cast<std::size_t>(i)];
     const Vector2f at = chart.pixel(examples.col(i));
     if (!chart.holds(at)) continue;
     const auto box = tags.place(at, panel.size(0.5f * dot_720 + 1), tag_size(panel, name));

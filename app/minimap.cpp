@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/convex_hull.h"
 #include "motion/models/ward.h"
 #include "study/map_options.h"
 
@@ -25,7 +26,8 @@ std::vector<std::vector<int>> outlines(const motion::Pca& pca, const Eigen::Matr
   for (int i = 0; i < pca.size(); ++i) {
     members[static_cast<std::size_t>(label[static_cast<std::size_t>(i)])].push_back(i);
   }
-  for (std::vector<int>& columns : members) columns = convex_hull(points, std::move(columns));
+  for (std::vector<int>& columns : members)
+    columns = motion::convex_hull(points, std::move(columns));
   return members;
 }
 
@@ -39,32 +41,6 @@ bool is(const study::Parameters& parameters, std::string_view name) {
 }
 
 }  // namespace
-
-std::vector<int> convex_hull(const Eigen::Matrix2Xd& points, std::vector<int> columns) {
-  const auto turn = [&](int a, int b, int c) {
-    const Vector2d ab = points.col(b) - points.col(a);
-    const Vector2d ac = points.col(c) - points.col(a);
-    return ab.x() * ac.y() - ab.y() * ac.x();
-  };
-  std::sort(columns.begin(), columns.end(), [&](int a, int b) {
-    return std::pair(points(0, a), points(1, a)) < std::pair(points(0, b), points(1, b));
-  });
-  if (columns.size() < 3) return columns;
-  // Andrew's monotone chain: the lower side, then back along the upper one.
-  std::vector<int> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t first = hull.size();
-    for (const int column : columns) {
-      while (hull.size() >= first + 2 && turn(hull.end()[-2], hull.end()[-1], column) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(column);
-    }
-    hull.pop_back();  // where the other side begins
-    std::reverse(columns.begin(), columns.end());
-  }
-  return hull;
-}
 
 study::PreparedModel prepare_minimap(const study::InterfaceResources& resources,
                                      const study::Parameters& parameters) {

@@ -22,9 +22,6 @@ struct MinimapModel final : study::InterfaceModel {
 study::PreparedModel prepare_minimap(const study::InterfaceResources& resources,
                                      const study::Parameters& parameters);
 
-// Corners of the smallest convex polygon around some columns of `points`, anticlockwise.
-std::vector<int> convex_hull(const Eigen::Matrix2Xd& points, std::vector<int> columns);
-
 constexpr double closest_zoom = 8;
 
 // Which part of the plane is seen.

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "app/captions.h"
 #include "app/small_figures.h"
 #include "app/widgets.h"
 #include "study/interface.h"
-#include "study/texts.h"
 
 namespace promenade::study {
 
@@ -16,10 +16,8 @@ class InterfacePanel {
  public:
   struct Content {
     const motion::MotionSpace& space;
-    const Texts& texts;
-    const std::vector<std::string>& names;  // N, of the cycles as people read them
-    const std::vector<int>& by_name;        // the cycles in the order of their names
-    app::SmallFigures* figures = nullptr;   // null: there is no stage to walk on
+    const app::Captions& captions;
+    app::SmallFigures* figures = nullptr;  // null: there is no stage to walk on
   };
 
   // `now_us`: as InterfaceState::weights takes it.
@@ -33,7 +31,7 @@ class InterfacePanel {
   float size(float at_720) const { return ui_.layout.size(at_720); }
   const Content& content() const { return content_; }
   std::int64_t now_us() const { return now_us_; }
-  const std::string& text(std::string_view key) const { return content_.texts(key); }
+  const std::string& text(std::string_view key) const { return content_.captions.texts(key); }
 
   // A row of a list under the name `target`; reports {kind, target} when pressed.
   void row(std::string_view kind, std::string_view target, const app::Box& box,

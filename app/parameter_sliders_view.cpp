@@ -188,7 +188,7 @@ ValueText value_text(const SliderParameter& parameter, double value) {
 }
 
 std::string_view words_of(const InterfacePanel& panel, const Words& words) {
-  const std::string* text = panel.content().texts.find(words.key);
+  const std::string* text = panel.content().captions.texts.find(words.key);
   return text != nullptr ? *text : words.fallback;
 }
 

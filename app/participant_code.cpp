@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/utf8.h"
+
 namespace promenade::app {
 namespace {
 
@@ -12,13 +14,6 @@ bool is_utf8(std::string_view text) {
   } catch (const nlohmann::json::exception&) {
     return false;
   }
-}
-
-// Of valid UTF-8.
-int characters(std::string_view text) {
-  int count = 0;
-  for (const char byte : text) count += (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
-  return count;
 }
 
 // C0, DEL and C1 (U+0080 to U+009F), in valid UTF-8.
@@ -38,7 +33,7 @@ std::string participant_code_problem(std::string_view code) {
   if (code.empty()) return "the code is empty; leave the option out and the first page asks";
   if (!is_utf8(code)) return "the code is not UTF-8";
   if (has_control_characters(code)) return "the code holds control characters";
-  const int count = characters(code);
+  const int count = study::count_characters(code);
   if (count <= longest_participant_code) return "";
   return "the code has " + std::to_string(count) + " characters; it can have up to " +
          std::to_string(longest_participant_code);

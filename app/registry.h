@@ -2,6 +2,8 @@
 // by a constant of its file: `const InterfaceEntry entry{{.name = "labels", ...}};`
 #pragma once
 
+#include <memory>
+
 #include "study/interface.h"
 
 namespace promenade::app {
@@ -11,5 +13,11 @@ struct InterfaceEntry {
 };
 
 const study::InterfaceRegistry& interfaces();
+
+// InterfaceType::start of a state that is made of its context alone.
+template <typename State>
+std::unique_ptr<study::InterfaceState> start_as(const study::InterfaceContext& context) {
+  return std::make_unique<State>(context);
+}
 
 }  // namespace promenade::app

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
 #include "study/adjective_model.h"
 
@@ -12,16 +11,6 @@ namespace {
 using study::PageKind;
 
 constexpr const char* closed_by_hand = "window closed";
-
-std::string cycle_name(const motion::Cycle& cycle, const study::Texts& texts) {
-  // "happy_2" is read as the second of its style.
-  const bool numbered = !cycle.style.empty() && cycle.name.size() > cycle.style.size() &&
-                        cycle.name.starts_with(cycle.style + "_");
-  if (!numbered) return texts.style(cycle.name);
-  std::string rest = cycle.name.substr(cycle.style.size() + 1);
-  std::replace(rest.begin(), rest.end(), '_', ' ');
-  return texts.style(cycle.style) + " " + rest;
-}
 
 std::vector<OfferedLanguage> offered(const study::Study& study) {
   std::vector<OfferedLanguage> languages;
@@ -38,21 +27,6 @@ void add_local(const study::LocalText& text, std::vector<std::string>& words) {
 
 }  // namespace
 
-std::vector<int> order_by_name(const std::vector<std::string>& names) {
-  std::vector<int> order(names.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
-  });
-  return order;
-}
-
-std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts) {
-  std::vector<std::string> names;
-  for (const motion::Cycle& cycle : set.cycles) names.push_back(cycle_name(cycle, texts));
-  return names;
-}
-
 std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   std::vector<std::string> words;
   if (bundle.adjectives) {
@@ -61,9 +35,9 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   }
   const study::Study& study = bundle.study;
   for (const std::string& language : study.languages) {
-    const study::Texts texts = study::load_texts(language);
-    for (const std::string& name : cycle_names(bundle.space.set, texts)) words.push_back(name);
-    for (const std::string& key : texts.keys()) words.push_back(texts(key));
+    for (std::string& word : words_of(captions_in(language, bundle.space.set))) {
+      words.push_back(std::move(word));
+    }
   }
   add_local(study.title, words);
   add_local(study.consent, words);
@@ -89,12 +63,10 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       queue_(queue),
       options_(options),
       language_(options.language.empty() ? bundle.study.languages.front() : options.language),
-      texts_(study::load_texts(language_)),
+      captions_(captions_in(language_, bundle.space.set)),
       languages_(offered(bundle.study)),
-      names_(cycle_names(bundle.space.set, texts_)),
-      by_name_(order_by_name(names_)),
       stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
-      content_{bundle.space, texts_, names_, by_name_, &stage_.small_figures()},
+      content_{bundle.space, captions_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
   std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
@@ -102,9 +74,7 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
 
 void SessionView::speak(const std::string& language) {
   language_ = language;
-  texts_ = study::load_texts(language);
-  names_ = cycle_names(bundle_.space.set, texts_);
-  by_name_ = order_by_name(names_);
+  captions_ = captions_in(language, bundle_.space.set);
 }
 
 bool SessionView::covered() const {
@@ -194,7 +164,7 @@ void SessionView::frame(std::int64_t now_us) {
   draw_screen({.ui = {gui_.look(), gui_.layout(), widgets_, focus_},
                .bundle = bundle_,
                .session = live_.session(),
-               .texts = texts_,
+               .texts = captions_.texts,
                .registry = registry_,
                .content = content_,
                .language = language_,

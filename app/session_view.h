@@ -19,12 +19,6 @@ struct ViewOptions {
 
 // Every text that the pages can show, in every language of the study.
 std::vector<std::string> shown_words(const study::StudyBundle& bundle);
-// What people read for each cycle of the set.
-std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::Texts& texts);
-
-// The places of names in the order of the alphabet.
-std::vector<int> order_by_name(const std::vector<std::string>& names);
-
 class SessionView {
  public:
   // Everything named outlives the view. `gui` has been fitted.
@@ -71,10 +65,8 @@ class SessionView {
   InputQueue& queue_;
   ViewOptions options_;
   std::string language_;
-  study::Texts texts_;
+  Captions captions_;
   std::vector<OfferedLanguage> languages_;
-  std::vector<std::string> names_;
-  std::vector<int> by_name_;
   Stage stage_;
   study::InterfacePanel::Content content_;
   motion::Cycle average_;  // walks where nothing is asked yet

@@ -15,13 +15,6 @@
 namespace promenade::app {
 namespace {
 
-double quantile_ms(std::vector<std::int64_t> times_us, double share) {
-  if (times_us.empty()) return 0;
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(times_us.size() - 1));
-  std::nth_element(times_us.begin(), times_us.begin() + place, times_us.end());
-  return 1e-3 * static_cast<double>(times_us[static_cast<std::size_t>(place)]);
-}
-
 study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
   study::SessionHeader header;
   header.started_utc = study::utc_now();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/utf8.h"
+#include "study/utf8.h"
 
 namespace promenade::app {
 namespace {
@@ -97,7 +97,7 @@ Applied Shelf::keep(const std::string& target, const Spot& here) {
 Applied Shelf::rename(const ControlInput& input) {
   Bookmark* bookmark = bookmark_of(input.target);
   if (bookmark == nullptr) return Applied::refused;
-  std::string name(first_characters(input.text, longest_bookmark_name));
+  std::string name(study::first_characters(input.text, longest_bookmark_name));
   if (name == bookmark->name) return Applied::aside;
   bookmark->name = std::move(name);
   return Applied::done;

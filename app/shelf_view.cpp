@@ -188,7 +188,7 @@ ShortLine name_of(const Shelf& shelf, const Item& item, const InterfacePanel& pa
     if (!bookmark->name.empty()) return ShortLine().add(bookmark->name);
     return with_number(panel.text("interface.shelf.named"), bookmark->number);
   }
-  return ShortLine().add(panel.content().names[static_cast<std::size_t>(item.example)]);
+  return ShortLine().add(panel.content().captions.names[static_cast<std::size_t>(item.example)]);
 }
 
 void report_press(const Shelf& shelf, const Item& item, std::string_view kind,

@@ -18,13 +18,6 @@ double in_unit(const SliderParameter& parameter, double value) {
   return parameter.lowest + value * (parameter.highest - parameter.lowest);
 }
 
-double correlation(const VectorXd& a, const VectorXd& b) {
-  const VectorXd x = a.array() - a.mean();
-  const VectorXd y = b.array() - b.mean();
-  const double scale = x.norm() * y.norm();
-  return scale > 0 ? x.dot(y) / scale : 0;
-}
-
 std::vector<study::ParameterSpec> slider_parameter_specs() {
   return {{.name = "weights",
            .standard = std::string("shown"),

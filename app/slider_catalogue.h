@@ -48,9 +48,6 @@ int find_parameter(const SliderCatalogue& catalogue, std::string_view name);  //
 // Where a slider at `value` stands in the unit of its parameter.
 double in_unit(const SliderParameter& parameter, double value);
 
-// Pearson's, of values at the N examples; 0 where one of them does not vary.
-double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
-
 // `weights` and `negative`, which both interfaces have.
 std::vector<study::ParameterSpec> slider_parameter_specs();
 void read_slider_parameters(const study::Parameters& parameters, SliderCatalogue& catalogue);

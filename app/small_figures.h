@@ -13,11 +13,13 @@ class SmallFigures {
   SmallFigures(const motion::PoseBank& bank, const Mannequin& mannequin)
       : bank_(bank), mannequin_(mannequin) {}
 
-  // A figure of N weights within `box`; nothing of it is drawn outside `clip`.
+  // A figure of N weights within `box`, pixels; nothing of it is drawn outside `clip`.
   void ask(const Box& box, const Box& clip, const Eigen::VectorXd& weights, const Rgb& colour);
   void clear() { used_ = 0; }
   std::size_t size() const { return used_; }
 
+  // All that were asked for, at one phase (0 to 1) and turned by `yaw` (radians), each on a
+  // disc in the colour of the ground.
   void draw(FigureRenderer& renderer, double phase, float yaw, const Rgb& ground);
 
  private:

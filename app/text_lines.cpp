@@ -1,22 +1,21 @@
 // One line of text that always fits.
 #include "app/widgets.h"
+#include "study/utf8.h"
 
 namespace promenade::app {
 namespace {
 
-bool begins_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
-
 std::size_t before(std::string_view text, std::size_t at) {
   do {
     --at;
-  } while (at > 0 && !begins_letter(text[at]));
+  } while (at > 0 && !study::begins_character(text[at]));
   return at;
 }
 
 std::size_t after(std::string_view text, std::size_t at) {
   do {
     ++at;
-  } while (at < text.size() && !begins_letter(text[at]));
+  } while (at < text.size() && !study::begins_character(text[at]));
   return at;
 }
 

@@ -34,7 +34,7 @@ void draw_weight(const ParameterSliders& sliders, InterfacePanel& panel, const B
   const float inset = panel.size(4);
   panel.line(panel.look().fonts.text,
              {row.x + inset, row.y, row.width - 2 * inset, row.height - panel.size(2)},
-             panel.look().palette.text, panel.content().names[i]);
+             panel.look().palette.text, panel.content().captions.names[i]);
 }
 
 }  // namespace
@@ -52,7 +52,7 @@ void draw_weights_column(const ParameterSliders& sliders, InterfacePanel& panel,
   // Beside the bar that scrolls there is no room to give away.
   const float margin = width < box.width ? 0 : panel.size(8);
   Box row{origin.x, origin.y, width - margin, height};
-  for (const int cycle : panel.content().by_name) {
+  for (const int cycle : panel.content().captions.by_name) {
     draw_weight(sliders, panel, row, cycle);
     row.y += height;
   }

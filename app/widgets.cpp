@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/line_breaks.h"
-#include "app/utf8.h"
+#include "study/utf8.h"
 
 namespace promenade::app {
 namespace {
@@ -280,7 +280,7 @@ int mind_text(ImGuiInputTextCallbackData* data) {
   const auto& writing = *static_cast<const Writing*>(data->UserData);
   if (data->EventFlag == ImGuiInputTextFlags_CallbackEdit) {
     const std::string_view text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
-    const auto end = static_cast<int>(first_characters(text, writing.most).size());
+    const auto end = static_cast<int>(study::first_characters(text, writing.most).size());
     if (end < data->BufTextLen) data->DeleteChars(end, data->BufTextLen - end);
   } else if (writing.goes_on) {
     data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
@@ -348,12 +348,10 @@ PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, c
   widget.unit_y = unit.y();
   const Touch now = touch(ui, kind, target, box, widget);
   const ImGuiIO& io = ImGui::GetIO();
-  const Eigen::Vector2f mouse(io.MousePos.x, io.MousePos.y);
   PlaneTouch result;
   result.hovered = now.hovered;
   result.pressed = now.pressed && ImGui::IsMouseDown(0);
   result.held = now.held && ImGui::IsMouseDown(0);
-  result.at = {(mouse.x() - zero.x()) / unit.x(), (zero.y() - mouse.y()) / unit.y()};
   result.moved = {io.MouseDelta.x, io.MouseDelta.y};
   result.pan = now.hovered && (ImGui::IsMouseDown(1) || ImGui::IsMouseDown(2));
   result.wheel = now.hovered ? io.MouseWheel : 0;

@@ -84,7 +84,6 @@ bool text_field(const Ui& ui, std::string_view kind, std::string_view target, co
 struct PlaneTouch {
   bool hovered = false, pressed = false, held = false;
   bool pan = false;                                 // dragged with another button
-  Eigen::Vector2f at = Eigen::Vector2f::Zero();     // of the pointer, in the plane's unit
   Eigen::Vector2f moved = Eigen::Vector2f::Zero();  // since the frame before, pixels
   float wheel = 0;                                  // notches
   bool focused = false;                             // the arrow keys are meant for it

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "study/utf8.h"
+
 namespace promenade::study {
 namespace {
 
@@ -39,10 +41,10 @@ class CsvReader {
     counted_at_ = at_;
     column_ = 1;
   }
-  // Of the next character. A byte 10xxxxxx begins none.
+  // Of the next character.
   int column() {
     for (; counted_at_ < at_; ++counted_at_) {
-      if ((static_cast<unsigned char>(text_[counted_at_]) & 0xC0U) != 0x80U) ++column_;
+      if (begins_character(text_[counted_at_])) ++column_;
     }
     return column_;
   }

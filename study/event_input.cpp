@@ -55,6 +55,7 @@ std::optional<Action> action_of(const Event& event) {
     if (event.kind == plain.kind) return plain.action;
   }
   const Json detail = event.detail.empty() ? Json::object() : Json::parse(event.detail);
+  if (event.kind == "language") return ChooseLanguage{event.target};
   if (event.kind == "answer") return SetAnswer{event.target, event.value.value_or(0)};
   if (event.kind == "camera") return camera_of(detail);
   if (event.kind == "stop") return Stop{detail.value("reason", "")};

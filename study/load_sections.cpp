@@ -4,14 +4,13 @@
 
 #include "motion/did_you_mean.h"
 #include "study/study_parts.h"
+#include "study/utf8.h"
 
 namespace promenade::study {
 namespace {
 
 constexpr std::int64_t largest_seed = INT64_MAX;
-constexpr std::int64_t longest_name = 80;
-
-bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+constexpr int longest_name = 80;
 
 // Of ASCII, or U+0080 to U+009F, in UTF-8 C2 80 to C2 9F.
 bool has_control(const std::string& text) {
@@ -83,7 +82,7 @@ Rating read_rating(const TomlTable& table, const Study& study) {
 }  // namespace
 
 void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std::string& name) {
-  const auto length = std::count_if(name.begin(), name.end(), begins_character);
+  const auto length = count_characters(name);
   if (name.find('/') == std::string::npos && name.rfind('.', 0) != 0 && !has_control(name) &&
       length <= longest_name) {
     return;

@@ -1,6 +1,7 @@
 #include "study/toml_limits.h"
 
 #include "motion/problem.h"
+#include "study/utf8.h"
 
 namespace promenade::study {
 namespace {
@@ -69,7 +70,7 @@ class Scan {
     if (letter == '\n') {
       ++line_;
       column_ = 1;
-    } else if ((static_cast<unsigned char>(at_ < text_.size() ? text_[at_] : 0) & 0xC0U) != 0x80U) {
+    } else if (at_ == text_.size() || begins_character(text_[at_])) {
       ++column_;
     }
   }

@@ -34,7 +34,7 @@ const std::string& representative(const AdjectiveModel& model, Eigen::Index clus
   for (std::size_t i = 0; i < model.kept_pairs.size(); ++i) {
     if (q.cluster[i] != cluster) continue;
     const double alike =
-        correlation(q.scaled.row(static_cast<Eigen::Index>(i)), q.primary.row(cluster));
+        motion::correlation(q.scaled.row(static_cast<Eigen::Index>(i)), q.primary.row(cluster));
     if (alike <= highest) continue;
     highest = alike;
     best = i;
@@ -89,12 +89,6 @@ std::shared_ptr<SliderCatalogue> make_catalogue(const AdjectiveModel& model) {
   return catalogue;
 }
 
-bool is_of(const AdjectiveModel& model, const motion::MotionSet& set) {
-  return std::equal(
-      model.table.motions.begin(), model.table.motions.end(), set.cycles.begin(), set.cycles.end(),
-      [](const std::string& name, const motion::Cycle& cycle) { return name == cycle.name; });
-}
-
 study::PreparedModel prepare(const study::InterfaceResources& resources,
                              const study::Parameters& parameters) {
   const auto model = resources.adjectives();
@@ -103,7 +97,9 @@ study::PreparedModel prepare(const study::InterfaceResources& resources,
             "nobody has rated the motions of this set; name a file of ratings with ratings = "
             "\"...\" in [study]"};
   }
-  if (!is_of(*model, resources.space.set)) return {nullptr, "the ratings are of other motions"};
+  if (model->table.motions != motion::names_of(resources.space.set)) {
+    return {nullptr, "the ratings are of other motions"};
+  }
   if (model->quantification.primary.rows() == 0) {
     return {nullptr, "its raters agree on no pair of adjectives"};
   }
@@ -121,10 +117,7 @@ const InterfaceEntry entry{{
     .texts = slider_texts({"interface.adjectives.title", "interface.adjectives.hint",
                            "interface.adjectives.agreed", "interface.adjectives.others"}),
     .prepare = prepare,
-    .start =
-        [](const study::InterfaceContext& context) {
-          return std::make_unique<ParameterSliders>(context);
-        },
+    .start = start_as<ParameterSliders>,
     .simulate = simulate_sliders,
     .draw = draw_sliders,
 }};

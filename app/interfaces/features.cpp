@@ -123,7 +123,7 @@ struct Measured {
 };
 
 double runs_like(const Measured& of, Eigen::Index c, int feature) {
-  return correlation(of.sliders.parameters.row(c), of.features.row(feature));
+  return motion::correlation(of.sliders.parameters.row(c), of.features.row(feature));
 }
 
 // How well a slider does what the name of its cluster promises, -1 to 1.
@@ -214,10 +214,7 @@ const InterfaceEntry entry{{
     .parameters = slider_parameter_specs(),
     .texts = slider_texts(own_texts()),
     .prepare = prepare,
-    .start =
-        [](const study::InterfaceContext& context) {
-          return std::make_unique<ParameterSliders>(context);
-        },
+    .start = start_as<ParameterSliders>,
     .simulate = simulate_sliders,
     .draw = draw_sliders,
 }};

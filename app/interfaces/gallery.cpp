@@ -179,8 +179,7 @@ const InterfaceEntry entry{{
         [](const study::InterfaceResources& resources, const study::Parameters&) {
           return study::PreparedModel{std::make_shared<Directions>(resources.space), ""};
         },
-    .start =
-        [](const study::InterfaceContext& context) { return std::make_unique<Gallery>(context); },
+    .start = start_as<Gallery>,
     .simulate = simulate,
     .draw = draw,
 }};

@@ -1,82 +1,16 @@
 // The list of labels ([N] 6): every motion of the set by its name; one click shows it. The
 // simplest interface, and the one that others are compared with.
-#include "app/list_groups.h"
+#include "app/label_list.h"
 #include "app/registry.h"
 #include "app/shelf_view.h"
-#include "app/utf8.h"
+#include "study/utf8.h"
 
 namespace promenade::app {
 namespace {
 
-using study::Applied;
 using study::ControlInput;
 using study::InterfacePanel;
 using study::InterfaceState;
-
-constexpr int longest_filter = 30;  // characters
-
-class Labels final : public InterfaceState {
- public:
-  explicit Labels(const study::InterfaceContext& context)
-      : start_(context.start),
-        shelf_(context.space.set, nullptr, context.start),
-        sorted_(std::get<bool>(context.parameters.at("sorted"))),
-        groups_(style_groups(context.space.set)),
-        grouping_(grouping_of(std::get<std::string>(context.parameters.at("groups")), groups_)) {}
-
-  std::unique_ptr<InterfaceState> clone() const override { return std::make_unique<Labels>(*this); }
-
-  Applied apply(const ControlInput& input) override {
-    if (input.kind == "pick") {
-      const int cycle = motion::find_cycle(shelf_.set(), input.target);
-      if (cycle < 0) return Applied::refused;
-      shelf_.go({.example = cycle});
-      return Applied::done;
-    }
-    if (input.kind == "filter" || input.kind == "show_all") return search(input);
-    return shelf_.apply(input, {study::weights_of(*this, input.t_us)});
-  }
-
-  void weights(std::int64_t, Eigen::VectorXd& weights) const override {
-    if (!shelf_.weights(weights)) weights = start_;
-  }
-
-  std::vector<ControlInput> settings() const override {
-    std::vector<ControlInput> settings;
-    shelf_.add_settings(settings);
-    if (picked() >= 0) {
-      settings.push_back(
-          {.kind = "pick", .target = std::string(shelf_.target_of({.example = picked()}))});
-    }
-    return settings;
-  }
-
-  const Shelf& shelf() const { return shelf_; }
-  int picked() const { return shelf_.current().example; }  // -1: none
-  bool sorted() const { return sorted_; }
-  Grouping grouping() const { return grouping_; }
-  int group(int cycle) const { return groups_[static_cast<std::size_t>(cycle)]; }
-  void restored(const InterfaceState& left, const Eigen::VectorXd&, std::int64_t) override {
-    filter_ = static_cast<const Labels&>(left).filter_;
-  }
-
-  const std::string& filter() const { return filter_; }
-
- private:
-  Applied search(const ControlInput& input) {
-    const bool fits = first_characters(input.text, longest_filter) == input.text;
-    if (input.target != "list" || !fits) return Applied::refused;
-    filter_ = input.kind == "filter" ? input.text : "";
-    return Applied::aside;
-  }
-
-  Eigen::VectorXd start_;
-  Shelf shelf_;
-  bool sorted_;
-  std::vector<int> groups_;
-  Grouping grouping_;
-  std::string filter_;
-};
 
 std::vector<ControlInput> simulate(const InterfaceState& state, study::Rng& rng) {
   const auto& labels = static_cast<const Labels&>(state);
@@ -91,79 +25,6 @@ std::vector<ControlInput> simulate(const InterfaceState& state, study::Rng& rng)
   labels.shelf().propose(picks, rng);
   return picks;
 }
-
-// The list as it stands: its lines from the top, with headings, without what does not match.
-class Lines {
- public:
-  Lines(const Labels& labels, const InterfacePanel& panel)
-      : labels_(labels), panel_(panel), size_(labels.shelf().set().size()) {}
-
-  // heading(text) and row(cycle, label), in their order.
-  template <typename Heading, typename Row>
-  void visit(const Heading& heading, const Row& row) const {
-    for (int k = 0; k < size_; ++k) {
-      if (!leads(k)) continue;
-      const int first = cycle(k);
-      const std::size_t shared = shared_by_group(k);
-      heading(heading_of(first, shared, k));
-      for (int m = k; m < size_; ++m) {
-        if (!shows(cycle(m)) || !together(first, cycle(m))) continue;
-        row(cycle(m), after_heading(name(cycle(m)), shared));
-      }
-    }
-  }
-
- private:
-  int cycle(int place) const {
-    return labels_.sorted() ? panel_.content().by_name[static_cast<std::size_t>(place)] : place;
-  }
-  std::string_view name(int cycle) const {
-    return panel_.content().names[static_cast<std::size_t>(cycle)];
-  }
-  bool shows(int cycle) const { return matches(name(cycle), labels_.filter()); }
-  bool together(int a, int b) const {
-    if (labels_.grouping() == Grouping::style) return labels_.group(a) == labels_.group(b);
-    return labels_.grouping() == Grouping::none || letter_of(name(a)) == letter_of(name(b));
-  }
-  // Is it the first of its group?
-  bool leads(int place) const {
-    if (!shows(cycle(place))) return false;
-    for (int k = 0; k < place; ++k) {
-      if (shows(cycle(k)) && together(cycle(k), cycle(place))) return false;
-    }
-    return true;
-  }
-  // Bytes of the name that all of the group begin with, also those that do not match.
-  std::size_t shared_by_group(int place) const {
-    if (labels_.grouping() != Grouping::style) return 0;
-    const std::string_view first = name(cycle(place));
-    std::size_t shared = first.size();
-    for (int k = 0; k < size_; ++k) {
-      if (!together(cycle(k), cycle(place))) continue;
-      shared = shared_beginning(first, shared, name(cycle(k)));
-    }
-    return shared;
-  }
-  ShortLine heading_of(int cycle, std::size_t shared, int place) const {
-    if (labels_.grouping() == Grouping::style) {
-      return ShortLine().add(name(cycle).substr(0, shared > 0 ? shared : std::string::npos));
-    }
-    if (labels_.grouping() == Grouping::alphabet) return letter_heading(letter_of(name(cycle)));
-    int count = 0;
-    for (int k = place; k < size_; ++k) count += shows(this->cycle(k)) ? 1 : 0;
-    return with_number(panel_.text("interface.labels.count"), count);
-  }
-  ShortLine letter_heading(std::string_view letter) const {
-    if (letter == "hiragana") return ShortLine().add(panel_.text("interface.labels.hiragana"));
-    if (letter == "katakana") return ShortLine().add(panel_.text("interface.labels.katakana"));
-    if (letter == "kanji") return ShortLine().add(panel_.text("interface.labels.kanji"));
-    return ShortLine().add(letter);
-  }
-
-  const Labels& labels_;
-  const InterfacePanel& panel_;
-  int size_;
-};
 
 struct Extent {
   int lines = 0, rows = 0;
@@ -256,14 +117,6 @@ void draw_list(const Labels& labels, InterfacePanel& panel, const Box& box) {
   panel.end_scroll();
 }
 
-void drop_last_character(std::string& text) {
-  while (!text.empty()) {
-    const bool within = (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U;
-    text.pop_back();
-    if (!within) return;
-  }
-}
-
 // What is typed while no field has the keyboard searches, too: the field of the filter takes
 // over with the first letter. A space alone presses what has the keyboard.
 void type_to_search(InterfacePanel& panel, std::string& filter) {
@@ -273,11 +126,11 @@ void type_to_search(InterfacePanel& panel, std::string& filter) {
   for (const ImWchar letter : io.InputQueueCharacters) {
     const bool writes = letter > ' ' || (letter == ' ' && focus.on("filter", "list"));
     if (!writes || letter == 0x7F) continue;
-    append_character(filter, letter);
+    study::append_character(filter, letter);
     focus.write_in("filter", "list");
   }
-  filter = first_characters(filter, longest_filter);
-  if (key_pressed(ImGuiKey_Backspace)) drop_last_character(filter);
+  filter = study::first_characters(filter, longest_filter);
+  if (key_pressed(ImGuiKey_Backspace)) study::drop_last_character(filter);
   // The field would enter them a second time.
   if (focus.on("filter", "list")) io.InputQueueCharacters.resize(0);
 }
@@ -338,8 +191,7 @@ const InterfaceEntry entry{{
                                "interface.labels.filter", "interface.labels.none",
                                "interface.labels.count", "interface.labels.hiragana",
                                "interface.labels.katakana", "interface.labels.kanji"}),
-    .start =
-        [](const study::InterfaceContext& context) { return std::make_unique<Labels>(context); },
+    .start = start_as<Labels>,
     .simulate = simulate,
     .draw = draw,
 }};

@@ -251,10 +251,7 @@ const InterfaceEntry entry{{
                                "interface.map.whole", "interface.map.zero", "interface.map.closest",
                                "interface.map.weights", "interface.map.random"}),
     .prepare = prepare_minimap,
-    .start =
-        [](const study::InterfaceContext& context) {
-          return std::make_unique<MinimapState>(context);
-        },
+    .start = start_as<MinimapState>,
     .simulate = simulate,
     .draw = draw,
 }};

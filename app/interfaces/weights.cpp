@@ -130,7 +130,8 @@ void draw_row(const Weights& weights, InterfacePanel& panel, const Box& row, int
   const auto i = static_cast<std::size_t>(cycle);
   const std::string& target = weights.set().cycles[i].name;
   const Columns at = columns_of(panel, row, weights.has_only());
-  panel.line(panel.look().fonts.text, at.name, panel.look().palette.text, panel.content().names[i]);
+  panel.line(panel.look().fonts.text, at.name, panel.look().palette.text,
+             panel.content().captions.names[i]);
   panel.slide(target, at.slider, weights.sliders()(cycle), slider_start);
   draw_share(panel, at, share);
   if (weights.has_only()) {
@@ -164,7 +165,7 @@ void draw(const InterfaceState& state, InterfacePanel& panel) {
   panel.begin_scroll(list, height * static_cast<float>(rows));
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   for (int k = 0; k < rows; ++k) {
-    const int cycle = panel.content().by_name[static_cast<std::size_t>(k)];
+    const int cycle = panel.content().captions.by_name[static_cast<std::size_t>(k)];
     const Box row{origin.x, origin.y + height * static_cast<float>(k), list.width, height};
     draw_row(weights, panel, row, cycle, shares(cycle));
   }
@@ -183,8 +184,7 @@ const InterfaceEntry entry{{
                     .sentence = "true: a button in each row shows that motion alone"}},
     .texts = {"interface.weights.title", "interface.weights.hint", "interface.weights.only",
               "interface.weights.reset", "interface.weights.all_zero"},
-    .start =
-        [](const study::InterfaceContext& context) { return std::make_unique<Weights>(context); },
+    .start = start_as<Weights>,
     .simulate = simulate,
     .draw = draw,
 }};

@@ -49,7 +49,7 @@ void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Co
   if (!named) grid = best_grid(count, box, 0);
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   for (int k = 0; k < count; ++k) {
-    const int cycle = content.by_name[static_cast<std::size_t>(k)];
+    const int cycle = content.captions.by_name[static_cast<std::size_t>(k)];
     const Box tile{box.x + grid.width * static_cast<float>(k % grid.columns),
                    box.y + grid.height * static_cast<float>(k / grid.columns), grid.width,
                    grid.height};
@@ -58,7 +58,7 @@ void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Co
     weights(cycle) = 1;
     figures.ask({tile.x, tile.y, tile.width, tile.height - below}, box, weights,
                 ui.look.palette.example);
-    const std::string& name = content.names[static_cast<std::size_t>(cycle)];
+    const std::string& name = content.captions.names[static_cast<std::size_t>(cycle)];
     const bool over = tile.holds(mouse.x, mouse.y);
     if (!named && !over) continue;
     const float room =

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/window/clock.h"
+#include "motion/quantile.h"
 
 namespace promenade::app {
 namespace {
@@ -27,6 +28,11 @@ void wait_until(Window& window, std::int64_t due_us) {
 }
 
 }  // namespace
+
+double quantile_ms(const std::vector<std::int64_t>& times_us, double share) {
+  if (times_us.empty()) return 0;
+  return 1e-3 * motion::quantile({times_us.begin(), times_us.end()}, share);
+}
 
 FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz) {
   FrameTimes times;

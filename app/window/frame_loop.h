@@ -24,6 +24,9 @@ struct FrameTimes {
   std::vector<std::int64_t> interval_us;  // from swap to swap
 };
 
+// A quantile (0 to 1) of some of these times, milliseconds; 0 without any.
+double quantile_ms(const std::vector<std::int64_t>& times_us, double share);
+
 // Runs until ended() says so. `hz`: frames a second when the display does not say.
 FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz = 60);
 

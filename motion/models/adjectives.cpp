@@ -73,13 +73,6 @@ PairFate decide(double extreme, double disagreement, const QuantificationOptions
   return disagreement > options.most_deviation ? PairFate::disagreed : PairFate::kept;
 }
 
-double correlation(const VectorXd& a, const VectorXd& b) {
-  const VectorXd x = a.array() - a.mean();
-  const VectorXd y = b.array() - b.mean();
-  const double size = x.norm() * y.norm();
-  return size > 0 ? x.dot(y) / size : 0;
-}
-
 // Each row against the sum of the others in its cluster, all as they came in, so that
 // the order of rows does not matter.
 std::vector<bool> backward_rows(const MatrixXd& rows, const std::vector<int>& cluster) {
@@ -125,6 +118,13 @@ std::string number(double value) {
 }
 
 }  // namespace
+
+double correlation(const VectorXd& a, const VectorXd& b) {
+  const VectorXd x = a.array() - a.mean();
+  const VectorXd y = b.array() - b.mean();
+  const double size = x.norm() * y.norm();
+  return size > 0 ? x.dot(y) / size : 0;
+}
 
 Quantification quantify(const std::vector<Rating>& ratings, int pairs, int motions,
                         const QuantificationOptions& options) {

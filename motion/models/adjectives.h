@@ -52,6 +52,9 @@ Quantification quantify(const std::vector<Rating>& ratings, int pairs, int motio
 // features take this path too, standardised for the tree, scaled for the means.
 Quantification cluster_rows(const Eigen::MatrixXd& scaled, int clusters, bool flip = false);
 
+// Pearson's, of the values of two parameters at the N examples; 0 where one does not vary.
+double correlation(const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+
 // Rows with mean 0 and standard deviation 1 (n - 1); a row that does not vary is 0.
 Eigen::MatrixXd standardised(const Eigen::MatrixXd& rows);
 

@@ -166,14 +166,5 @@ TEST(MinimapModel, NeedsCyclesThatDiffer) {
   EXPECT_FALSE(prepared.problem.empty());
 }
 
-TEST(ConvexHull, GoesAroundOnce) {
-  Eigen::Matrix2Xd points(2, 6);
-  points << 0, 2, 2, 0, 1, 1,  //
-      0, 0, 2, 2, 1, 0.5;
-  const std::vector<int> hull = convex_hull(points, {5, 4, 3, 2, 1, 0});
-  EXPECT_EQ(hull, (std::vector<int>{0, 1, 2, 3}));
-  EXPECT_EQ(convex_hull(points, {4}), std::vector<int>{4});
-}
-
 }  // namespace
 }  // namespace promenade::app

@@ -1,7 +1,6 @@
 #include "tests/app/panel_bench.h"
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 
 #include "app/session_view.h"
@@ -11,20 +10,6 @@
 
 namespace promenade::app::bench {
 namespace {
-
-std::vector<int> sorted_order(const std::vector<std::string>& names) {
-  std::vector<int> order(names.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return names[static_cast<std::size_t>(a)] < names[static_cast<std::size_t>(b)];
-  });
-  return order;
-}
-
-std::vector<std::string> words_of(std::vector<std::string> words, const study::Texts& texts) {
-  for (const std::string& key : texts.keys()) words.push_back(texts(key));
-  return words;
-}
 
 study::Parameters with(const study::Parameters& changed, study::Parameters parameters) {
   for (const auto& [name, value] : changed) parameters.at(name) = value;
@@ -75,13 +60,11 @@ PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& 
                        const study::Parameters& changed, const PanelView& view)
     : space_(space),
       type_(*interfaces().find(interface)),
-      texts_(study::load_texts(view.language)),
+      captions_(captions_in(view.language, space.set)),
       parameters_(with(changed, standard_parameters(type_))),
       prepared_(prepared_model(type_, space, parameters_)),
-      names_(cycle_names(space.set, texts_)),
-      by_name_(sorted_order(names_)),
-      content_{space_, texts_, names_, by_name_, nullptr},
-      gui_(make_palette(false), words_of(names_, texts_)),
+      content_{space_, captions_, nullptr},
+      gui_(make_palette(false), words_of(captions_)),
       state_(type_.start({space_, parameters_, study::start_weights(space_), 1, prepared_.model})) {
   gui_.fit(view.width, view.height);
   unsigned char* pixels = nullptr;

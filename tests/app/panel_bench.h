@@ -51,7 +51,7 @@ class PanelBench {
   study::InterfaceState& state() { return *state_; }
   Eigen::VectorXd weights() const { return study::weights_of(*state_, now_us_); }
   const std::vector<study::ControlInput>& log() const { return log_; }  // all reports
-  const study::Texts& texts() const { return texts_; }
+  const study::Texts& texts() const { return captions_.texts; }
   const Focus& focus() const { return focus_; }
   std::int64_t now_us() const { return now_us_; }
   Box box() const { return gui_.layout().panel(); }
@@ -60,11 +60,9 @@ class PanelBench {
  private:
   const motion::MotionSpace& space_;
   const study::InterfaceType& type_;
-  study::Texts texts_;
+  Captions captions_;
   study::Parameters parameters_;
   study::PreparedModel prepared_;
-  std::vector<std::string> names_;
-  std::vector<int> by_name_;
   study::InterfacePanel::Content content_;
   Gui gui_;
   InputQueue queue_;

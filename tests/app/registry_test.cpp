@@ -9,6 +9,7 @@
 
 #include "study/load_study.h"
 #include "study/rng.h"
+#include "tests/app/odd_inputs.h"
 #include "tests/app/panel_bench.h"
 #include "tests/motion/allocations.h"
 
@@ -32,48 +33,11 @@ class EveryInterface : public testing::TestWithParam<std::string> {
   study::Parameters parameters_ = bench::standard_parameters(*interfaces().find(GetParam()));
 };
 
-// Likely and unlikely: kinds and targets that exist and not, values out of range.
-ControlInput random_input(const InterfaceType& type, const InterfaceState& state, Rng& rng) {
-  const std::vector<ControlInput> ideas = type.simulate(state, rng);
-  ControlInput input = ideas.empty() ? ControlInput{} : ideas[rng.below(ideas.size())];
-  const double odd[] = {0, 1, -1, 0.5, 1e300, 1e-320, INFINITY, -INFINITY, NAN};
-  if (rng.below(3) == 0) input.value = odd[rng.below(9)];
-  if (rng.below(5) == 0) input.x = odd[rng.below(9)];
-  if (rng.below(5) == 0) input.y = odd[rng.below(9)];
-  if (rng.below(20) == 0) input.target = "nobody";
-  if (rng.below(20) == 0) input.kind = "sing";
-  return input;
-}
-
-// Every word that any interface knows, on every kind of thing.
-ControlInput wild_input(Rng& rng) {
-  static const std::vector<std::string> kinds = {
-      "go",     "point",    "pick", "slide", "only",   "reset",     "zoom",   "pan",
-      "whole",  "goto",     "mix",  "unmix", "share",  "offer",     "rename", "remove",
-      "edit",   "bookmark", "add",  "alter", "weight", "heuristic", "filter", "step",
-      "others", "list",     "back", "show",  "hide"};
-  static const std::vector<std::string> others = {"",     "1",       "2",   "9",      "#1",
-                                                  "#2",   "map",     "",    "larger", "smaller",
-                                                  "zero", "closest", "all", "random"};
-  const auto& cycles = bench::space().set.cycles;
-  ControlInput input;
-  input.kind = kinds[rng.below(kinds.size())];
-  input.target =
-      rng.below(2) == 0 ? cycles[rng.below(cycles.size())].name : others[rng.below(others.size())];
-  if (rng.below(2) == 0) input.value = rng.uniform();
-  if (rng.below(3) == 0) {
-    input.x = 4 * rng.uniform() - 2;
-    input.y = 4 * rng.uniform() - 2;
-  }
-  if (rng.below(4) == 0) input.text = std::string(rng.below(60), 'x') + "あ";
-  return input;
-}
-
 TEST_P(EveryInterface, WeightsAreFiniteAndSumToOneWhateverIsDone) {
   const std::unique_ptr<InterfaceState> state = start();
   Rng rng(1, 2, "test");
   for (int k = 0; k < 20'000; ++k) {
-    state->apply(k % 2 == 0 ? wild_input(rng) : random_input(type(), *state, rng));
+    state->apply(bench::any_input(type(), *state, rng));
     const Eigen::VectorXd weights = study::weights_of(*state, 1000 * k);
     ASSERT_TRUE(weights.allFinite()) << k;
     ASSERT_EQ(weights.size(), bench::space().set.size());
@@ -87,7 +51,7 @@ TEST_P(EveryInterface, WhatIsRefusedChangesNothing) {
   Rng rng(3, 4, "test");
   for (int k = 0; k < 1000; ++k) {
     const Eigen::VectorXd before = study::weights_of(*state, 0);
-    const study::Applied applied = state->apply(random_input(type(), *state, rng));
+    const study::Applied applied = state->apply(bench::likely_input(type(), *state, rng));
     const bool done = applied == study::Applied::done;
     ASSERT_TRUE(done || study::weights_of(*state, 0) == before) << k;
   }
@@ -114,7 +78,7 @@ TEST_P(EveryInterface, TheSameInputsLeadToTheSameWeights) {
   Rng rng(13, 14, "test");
   std::int64_t t_us = 0;
   for (int k = 0; k < 10'000; ++k) {
-    ControlInput input = k % 2 == 0 ? wild_input(rng) : random_input(type(), *one, rng);
+    ControlInput input = bench::any_input(type(), *one, rng);
     input.t_us = t_us += static_cast<std::int64_t>(rng.below(300'000));
     // Frames in between ask the one for its weights and not the other.
     if (k % 3 == 0) study::weights_of(*one, t_us - 1);

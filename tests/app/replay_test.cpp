@@ -4,6 +4,7 @@
 #include "app/registry.h"
 #include "study/event_input.h"
 #include "study/load_study.h"
+#include "tests/app/odd_inputs.h"
 
 namespace promenade::app {
 namespace {
@@ -12,8 +13,14 @@ using study::Record;
 using study::Sample;
 
 study::StudyBundle bundle_with(const std::string& interface) {
-  const std::string text = "[study]\nname = 'replay'\n[[interface]]\nname = '" + interface +
-                           "'\n[[task]]\nname = 'copy'\nkind = 'match'\n"
+  // Everything that can be allowed is.
+  const bool sliders = interface == "adjectives" || interface == "features";
+  const std::string more = sliders              ? "\nweights = 'draggable'"
+                           : interface == "map" ? "\nswitch = true"
+                                                : "";
+  const std::string text = "[study]\nname = 'replay'\n[[interface]]\nname = '" + interface + "'" +
+                           more +
+                           "\n[[task]]\nname = 'copy'\nkind = 'match'\n"
                            "targets = [{example = 'proud'}]\n";
   return study::read_study("replay.toml", text, interfaces(), study::load_motion_set);
 }
@@ -21,7 +28,7 @@ study::StudyBundle bundle_with(const std::string& interface) {
 class Recorder {
  public:
   explicit Recorder(const study::StudyBundle& bundle)
-      : session_(bundle, interfaces(), study::make_plan(bundle.study, 0)) {}
+      : session_(bundle, interfaces(), study::make_plan(bundle.study, 0), true) {}
   void step(const study::Input& input) {
     for (Record& record : session_.step(input)) records_.push_back(std::move(record));
   }
@@ -60,8 +67,7 @@ decltype(study::Input::action) anything(const study::InterfaceType& type,
     default:
       break;
   }
-  const auto ideas = type.simulate(*session.trial()->interface, rng);
-  return study::Control{ideas[rng.below(ideas.size())]};
+  return study::Control{bench::any_input(type, *session.trial()->interface, rng)};
 }
 
 std::vector<Sample> samples_of(const Recorder& recorder) {
@@ -80,6 +86,7 @@ TEST_P(Replay, OfTheLogShowsTheSameWeightsAtTheSameTimes) {
   Recorder first(bundle);
   study::Rng rng(1, 2, "replay");
   std::int64_t t_us = 0;
+  first.step(t_us += 1000, study::ChooseLanguage{"en"});
   while (first.session().trial() == nullptr) first.step(t_us += 1000, study::Continue{});
   for (int k = 0; k < 1500; ++k) {
     t_us += static_cast<std::int64_t>(rng.below(120'000));

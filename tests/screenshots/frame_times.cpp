@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "app/print.h"
 #include "app/registry.h"
+#include "app/window/frame_loop.h"
 #include "tests/screenshots/films.h"
 #include "tests/screenshots/studies.h"
 
 namespace promenade::app::screenshots {
 namespace {
-
-double quantile_ms(std::vector<std::int64_t>& times, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(times.size() - 1));
-  std::nth_element(times.begin(), times.begin() + at, times.end());
-  return 1e-3 * static_cast<double>(times[static_cast<std::size_t>(at)]);
-}
 
 void print_times(const std::string& name, const Scene& scene, Room& room, int frames) {
   const study::StudyBundle bundle = make_study(scene);

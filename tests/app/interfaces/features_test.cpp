@@ -4,6 +4,7 @@
 
 #include "app/parameter_sliders_view.h"
 #include "motion/builtin.h"
+#include "motion/models/adjectives.h"
 #include "tests/app/panel_bench.h"
 
 namespace promenade::app {
@@ -51,7 +52,7 @@ TEST(Features, ASliderDoesWhatItsNameSays) {
                                   : name.rfind("lateral", 0) == 0 ? "sigma_torso_left-right"
                                                                   : "sigma_left-forearm_front-back";
       const Eigen::VectorXd wanted = features.row(motion::find_feature(feature));
-      EXPECT_GT(correlation(catalogue(panel).values.row(c), wanted), 0.5) << set << name;
+      EXPECT_GT(motion::correlation(catalogue(panel).values.row(c), wanted), 0.5) << set << name;
     }
   }
 }

@@ -1,17 +1,28 @@
-// Characters of UTF-8, as far as what people type needs them.
+// Characters of UTF-8, as far as what people type and messages count them.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-namespace promenade::app {
+namespace promenade::study {
+
+// A byte 10xxxxxx begins none.
+inline bool begins_character(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+}
+
+// How many there are.
+inline int count_characters(std::string_view text) {
+  int count = 0;
+  for (const char byte : text) count += begins_character(byte) ? 1 : 0;
+  return count;
+}
 
 // The beginning of a text, up to `most` characters.
 inline std::string_view first_characters(std::string_view text, int most) {
   std::size_t end = 0;
   for (int count = 0; end < text.size(); ++end) {
-    const bool begins = (static_cast<unsigned char>(text[end]) & 0xC0U) != 0x80U;
-    if (begins && ++count > most) break;
+    if (begins_character(text[end]) && ++count > most) break;
   }
   return text.substr(0, end);
 }
@@ -29,4 +40,12 @@ inline void append_character(std::string& text, unsigned int code) {
   add(0x80 | (code & 0x3F));
 }
 
-}  // namespace promenade::app
+inline void drop_last_character(std::string& text) {
+  while (!text.empty()) {
+    const bool begins = begins_character(text.back());
+    text.pop_back();
+    if (begins) return;
+  }
+}
+
+}  // namespace promenade::study
