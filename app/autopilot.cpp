@@ -63,7 +63,7 @@ Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& act
   if (std::holds_alternative<study::Done>(action)) return {"press", "done"};
   if (std::holds_alternative<study::StartOver>(action)) return {"press", "start_over"};
   if (const auto* answer = std::get_if<study::SetAnswer>(&action)) {
-    const auto point = static_cast<int>(std::lround(answer->value));
+    const auto point = static_cast<int>(std::lround(answer->value.value_or(0)));
     return {"press", "answer:" + answer->item + ":" + std::to_string(point)};
   }
   if (const auto* control = std::get_if<study::Control>(&action)) {

@@ -79,7 +79,7 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
 
 void LiveSession::write(const std::vector<Record>& records) {
   unwritten_ = unwritten_ || !records.empty();
-  for (const Record& record : records) store_.write(record);
+  store_.write(records);
   if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
 }
 

@@ -25,6 +25,17 @@ void add_local(const study::LocalText& text, std::vector<std::string>& words) {
   for (const auto& [language, content] : text) words.push_back(content);
 }
 
+void add_words(const study::Instrument& instrument, std::vector<std::string>& words) {
+  add_local(instrument.title, words);
+  add_local(instrument.text, words);
+  for (const study::Item& item : instrument.items) {
+    for (const study::LocalText* text : {&item.question, &item.low, &item.high}) {
+      add_local(*text, words);
+    }
+    for (const study::Choice& choice : item.choices) add_local(choice.text, words);
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
@@ -41,11 +52,7 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   }
   add_local(study.title, words);
   add_local(study.consent, words);
-  for (const study::Rating& rating : study.ratings) {
-    for (const study::LocalText* text : {&rating.question, &rating.low, &rating.high}) {
-      add_local(*text, words);
-    }
-  }
+  for (const study::Instrument& instrument : study.instruments) add_words(instrument, words);
   for (const study::Task& task : study.tasks) {
     for (const study::Target& target : task.targets) add_local(target.quality, words);
     for (const study::Target& target : task.practice) add_local(target.quality, words);
@@ -91,16 +98,21 @@ Cast SessionView::cast() const {
   if (const study::TrialState* trial = session.trial()) {
     const study::Task& task = task_of(bundle_.study, planned());
     const auto& cycles = bundle_.space.set.cycles;
-    return {.target = trial->target ? &*trial->target : nullptr,
-            .created = &trial->cycle,
+    // What is rated is shown as a target is.
+    const bool rated = task.kind == study::TaskKind::rate;
+    return {.target = rated           ? &trial->cycle
+                      : trial->target ? &*trial->target
+                                      : nullptr,
+            .created = rated ? nullptr : &trial->cycle,
             .reference =
                 task.reference < 0 ? nullptr : &cycles[static_cast<std::size_t>(task.reference)],
             .blind = task.blind};
   }
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());
-  const bool match = task.kind == study::TaskKind::match;
-  return {.target = match ? &average_ : nullptr, .created = task.blind ? nullptr : &average_};
+  const bool target = task.kind != study::TaskKind::find;
+  const bool created = !task.blind && task.kind != study::TaskKind::rate;
+  return {.target = target ? &average_ : nullptr, .created = created ? &average_ : nullptr};
 }
 
 const study::PlannedTrial& SessionView::planned() const {

@@ -1,6 +1,7 @@
 #include "study/event_input.h"
 
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace promenade::study {
@@ -15,8 +16,8 @@ struct Plain {
 };
 
 // Actions that have nothing but their name.
-const std::array<Plain, 9>& plain_actions() {
-  static const std::array<Plain, 9> all = {{{"continue", Continue{}},
+const std::array<Plain, 10>& plain_actions() {
+  static const std::array<Plain, 10> all = {{{"continue", Continue{}},
                                             {"decline", Decline{}},
                                             {"press", Press{}},
                                             {"done", Done{}},
@@ -24,12 +25,15 @@ const std::array<Plain, 9>& plain_actions() {
                                             {"undo", Undo{}},
                                             {"redo", Redo{}},
                                             {"pause", Pause{}},
-                                            {"resume", Resume{}}}};
+                                            {"resume", Resume{}},
+                                             {"release", Release{}}}};
   return all;
 }
 
 bool by_the_system(const std::string& kind) {
-  for (const char* one : {"page", "start", "late_frame", "continue_refused"}) {
+  for (const char* one :
+       {"page", "start", "won", "timeout", "won_by_guess", "practice_over", "practice_again",
+        "continue_refused", "done_refused"}) {
     if (kind == one) return true;
   }
   return false;
@@ -56,7 +60,18 @@ std::optional<Action> action_of(const Event& event) {
   }
   const Json detail = event.detail.empty() ? Json::object() : Json::parse(event.detail);
   if (event.kind == "language") return ChooseLanguage{event.target};
-  if (event.kind == "answer") return SetAnswer{event.target, event.value.value_or(0)};
+  if (event.kind == "answer") {
+    return SetAnswer{event.target, event.value, detail.value("text", ""),
+                     detail.value("declined", false)};
+  }
+  if (event.kind == "note") return Note{detail.value("text", "")};
+  if (event.kind == "skip") return Skip{detail.value("reason", "")};
+  if (event.kind == "repeat") return Repeat{event.target == "block", detail.value("reason", "")};
+  if (event.kind == "interrupted") {
+    return Interrupted{std::llround(1e6 * event.value.value_or(0)),
+                       resume_policy_of(event.target)};
+  }
+  if (event.kind == "late_frame") return LateFrame{std::llround(event.value.value_or(0))};
   if (event.kind == "camera") return camera_of(detail);
   if (event.kind == "stop") return Stop{detail.value("reason", "")};
   if (event.kind == "playback") {

@@ -8,7 +8,7 @@
 namespace promenade::study {
 
 // The input that logged this event; nothing for what the system wrote by itself
-// ("page", "start", "late_frame") and for what was refused. Ticks log no event: where
+// ("page", "start", "won") and for what was refused. Ticks log no event: where
 // the weights moved by themselves, the samples say when.
 std::optional<Input> input_of(const Event& event);
 

@@ -108,7 +108,6 @@ std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const Interface
                                           const InterfaceResources* resources) {
   std::vector<InterfaceUse> uses;
   std::vector<std::string> names;
-  if (!root.has("interface")) root.error("a study needs at least one [[interface]]");
   const std::vector<TomlTable> tables = root.tables("interface");
   for (const TomlTable& table : tables) {
     uses.push_back(read_interface(table, registry, resources));

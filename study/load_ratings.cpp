@@ -1,10 +1,7 @@
 // [study] ratings: what people said about the motions of the set.
 #include <algorithm>
-#include <filesystem>
 
-#include "motion/files.h"
 #include "study/adjective_model.h"
-#include "study/identity.h"
 #include "study/ratings_csv.h"
 #include "study/study_parts.h"
 
@@ -23,17 +20,14 @@ void refuse_unrated(const TomlTable& section, const RatingsTable& table) {
 
 }  // namespace
 
-void read_ratings_file(const TomlTable& root, StudyBundle& bundle) {
+void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bundle) {
   const std::string& name = bundle.study.ratings_file;
   if (name.empty()) return;
   const TomlTable section = root.table("study").value_or(root);
-  const auto folder = std::filesystem::path(root.reader().file()).parent_path();
-  const std::string file = (folder / name).string();
   try {
-    const std::string text = read_file(file);
-    RatingsTable table = read_ratings_csv(file, text, motion::names_of(bundle.space.set));
+    RatingsTable table = read_ratings_csv(files.full_path(name), files.read(name),
+                                          motion::names_of(bundle.space.set));
     refuse_unrated(section, table);
-    bundle.ratings_sha256 = sha256_hex(text);
     bundle.adjectives =
         std::make_shared<const AdjectiveModel>(make_adjective_model(std::move(table), name));
   } catch (const InputError& error) {

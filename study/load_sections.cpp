@@ -1,4 +1,4 @@
-// [study], [display], [breaks], [[rating]] and the texts of a study's own.
+// [study], [display] and the texts of a study's own.
 #include <algorithm>
 #include <cmath>
 
@@ -68,17 +68,6 @@ Order order_of(const std::string& word) {
   return Order::williams;
 }
 
-Rating read_rating(const TomlTable& table, const Study& study) {
-  Rating rating;
-  rating.item = table.required_text("item");
-  table.require("question");
-  rating.question = read_local_text(table, "question", study);
-  rating.low = read_local_text(table, "low", study);
-  rating.high = read_local_text(table, "high", study);
-  rating.points = static_cast<int>(table.integer("points", 2, 11).value_or(rating.points));
-  return rating;
-}
-
 }  // namespace
 
 void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std::string& name) {
@@ -128,6 +117,7 @@ void read_study_section(const TomlTable& root, Study& study) {
       table.integer("seed", 0, largest_seed).value_or(static_cast<std::int64_t>(study.seed)));
   const auto order = table.choice("order", {"williams", "latin", "random", "fixed"});
   study.order = order_of(order.value_or("williams"));
+  read_design(table, study);
   study.title = read_local_text(table, "title", study);
   study.consent = read_local_text(table, "consent", study);
 }
@@ -143,26 +133,6 @@ void read_display(const TomlTable& root, Study& study) {
   const auto examples = table->choice("examples", {"none", "panel", "screen"});
   if (examples == "panel") display.examples = ExamplesWall::panel;
   if (examples == "screen") display.examples = ExamplesWall::screen;
-}
-
-void read_breaks(const TomlTable& root, Study& study) {
-  const auto table = root.table("breaks");
-  if (!table) return;
-  study.breaks.after_block = table->choice("after", {"none", "block"}) == "block";
-  const double least_s = table->number("least_s", 0, 3600).value_or(0);
-  study.breaks.least_us = static_cast<std::int64_t>(std::llround(1e6 * least_s));
-}
-
-std::vector<Rating> read_ratings(const TomlTable& root, const Study& study) {
-  std::vector<Rating> ratings;
-  std::vector<std::string> names;
-  const std::vector<TomlTable> tables = root.tables("rating");
-  for (const TomlTable& table : tables) {
-    ratings.push_back(read_rating(table, study));
-    names.push_back(ratings.back().item);
-  }
-  refuse_doubles(tables, names, "rating");
-  return ratings;
 }
 
 void refuse_doubles(const std::vector<TomlTable>& tables, const std::vector<std::string>& names,

@@ -85,7 +85,10 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   std::string bytes;
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
-  if (!bundle.ratings_sha256.empty()) put(bytes, bundle.ratings_sha256);
+  for (const StudyPart& part : bundle.parts) {
+    put(bytes, part.path);
+    put(bytes, part.content);
+  }
   if (bundle.adjectives) put(bytes, ratings_csv(bundle.adjectives->table));
   for (const std::string& language : bundle.study.languages) {
     const Texts texts = load_texts(language);
@@ -107,8 +110,12 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   return sha256_hex(bytes);
 }
 
+std::string load_file(const std::string& name, const std::string& folder) {
+  return read_file((std::filesystem::path(folder) / name).string());
+}
+
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set) {
+                       const SetLoader& load_set, const FileLoader& load_file) {
   TomlReader reader(file, text);
   if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
@@ -117,12 +124,16 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_study_section(root, study);
   read_display(root, study);
   read_breaks(root, study);
+  read_practice(root, study);
+  read_safety(root, study);
+  StudyFiles files(std::filesystem::path(file).parent_path().string(), load_file);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
     bundle.space = motion::make_motion_space(std::move(*set));
     bundle.bank = motion::make_pose_bank(bundle.space);
-    read_ratings_file(root, bundle);
+    bundle.coverage = make_coverage_map(bundle.space);
+    read_ratings_file(root, files, bundle);
   }
   bool asked = false;
   const InterfaceResources resources{bundle.space, [&bundle, &asked] {
@@ -131,9 +142,11 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
   if (asked) warn_of_simulated_raters(root, bundle);
-  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr});
-  study.ratings = read_ratings(root, study);
+  InstrumentShelf instruments(files, study);
+  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments});
+  read_questionnaires(root, instruments, study);
   bundle.warnings = reader.finish();
+  bundle.parts = files.parts();
   bundle.file = file;
   bundle.config_text = std::move(text);
   bundle.set_bytes = motion::to_bytes(bundle.space.set);

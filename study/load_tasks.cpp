@@ -81,10 +81,16 @@ void read_threshold(const TomlTable& table, const StudyContext& context, Task& t
   refuse_won_targets(table, "practice", task.practice, task, *context.space);
 }
 
-void read_match(const TomlTable& table, const StudyContext& context, Task& task) {
+void read_match_targets(const TomlTable& table, const StudyContext& context, Task& task) {
   task.targets = read_targets(table, "targets", context);
   task.practice = read_targets(table, "practice", context);
-  if (!table.has("targets")) table.error(R"(a "match" task needs "targets")");
+  const bool guess = task.kind == TaskKind::guess;
+  if (!table.has("targets")) {
+    table.error(std::string("a \"") + (guess ? "guess" : "match") + "\" task needs \"targets\"");
+  }
+}
+
+void read_match(const TomlTable& table, const StudyContext& context, Task& task) {
   const bool by_phase = table.choice("distance", {"time", "phase"}) == "phase";
   task.distance = by_phase ? motion::DistanceTimes::phase : motion::DistanceTimes::time;
   read_threshold(table, context, task);
@@ -122,30 +128,102 @@ int read_reference(const TomlTable& table, const StudyContext& context) {
   return cycle;
 }
 
-Task read_task(const TomlTable& table, const StudyContext& context) {
-  Task task;
-  task.name = read_name(table);
-  table.require("kind");
-  const auto kind = table.choice("kind", {"match", "find"});
-  task.limit_s = table.number("limit_s", 1, longest_limit_s);
-  table.choice("start", {"average"});
-  task.blind = table.boolean("blind").value_or(false);
-  task.playback = table.boolean("playback").value_or(false);
-  task.reference = read_reference(table, context);
-  task.interfaces = read_interface_list(table, context.study);
-  if (task.blind) refuse_seeing(table, context, task);
+TaskKind kind_of(const TomlTable& table, const std::optional<std::string>& word) {
   // Without a kind the other keys tell: what is wrong with them is said all the same.
-  const bool find = kind ? *kind == "find" : table.has("qualities");
-  task.kind = find ? TaskKind::find : TaskKind::match;
-  if (find) {
-    read_find(table, context, task);
-  } else if (kind || table.has("targets")) {
-    read_match(table, context, task);
+  if (!word) return table.has("qualities") ? TaskKind::find : TaskKind::match;
+  if (*word == "find") return TaskKind::find;
+  if (*word == "guess") return TaskKind::guess;
+  return *word == "rate" ? TaskKind::rate : TaskKind::match;
+}
+
+// start = "average", or the name of a task of kind "guess" before it, whose targets, practice
+// and lists it takes over.
+void read_start(const TomlTable& table, const std::vector<Task>& before, Task& task) {
+  const auto name = table.text("start");
+  if (!name || *name == "average") return;
+  std::vector<std::string> guesses;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i].kind != TaskKind::guess) continue;
+    guesses.push_back(before[i].name);
+    if (before[i].name == *name) task.start_guess = static_cast<int>(i);
+  }
+  if (task.start_guess >= 0) return;
+  guesses.emplace_back("average");
+  table.error("start", "\"start\" is \"average\", or the name of a task of kind \"guess\" that "
+                       "stands before this one, not \"" + *name + "\"" +
+                           did_you_mean(*name, guesses));
+}
+
+void take_targets(const TomlTable& table, const Task& guess, Task& task) {
+  for (const char* key : {"targets", "practice", "deal"}) {
+    if (!table.has(key)) continue;
+    table.error(key, std::string("a task that begins from a guess has the \"") + key +
+                         "\" of that task; leave this out");
+  }
+  task.targets = guess.targets;
+  task.practice = guess.practice;
+  task.deal = guess.deal;
+  task.lists = guess.lists;
+}
+
+void read_rate(const TomlTable& table, const StudyContext& context, Task& task) {
+  if (table.has("interfaces")) {
+    table.error("interfaces", "nothing is made in a \"rate\" task, so that it has no interfaces");
+  }
+  task.interfaces.clear();
+  task.has_done = true;
+  table.require("instrument");
+  task.instrument = context.instruments.find(table, "instrument");
+  task.targets = read_targets(table, "targets", context);
+  task.practice = read_targets(table, "practice", context);
+  if (!table.has("targets")) table.error(R"(a "rate" task needs "targets", the motions to rate)");
+}
+
+void read_by_kind(const TomlTable& table, const StudyContext& context,
+                  const std::vector<Task>& before, bool known, Task& task) {
+  read_start(table, before, task);
+  if (task.kind == TaskKind::find) return read_find(table, context, task);
+  if (task.kind == TaskKind::rate) return read_rate(table, context, task);
+  if (task.start_guess >= 0) {
+    take_targets(table, before[static_cast<std::size_t>(task.start_guess)], task);
+  } else if (known || table.has("targets")) {
+    read_match_targets(table, context, task);
   } else {
     table.tables("practice");
     for (const char* key : {"threshold", "dwell_ms", "distance"}) table.scalar(key);
+    return;
+  }
+  read_match(table, context, task);
+}
+
+Task read_task(const TomlTable& table, const StudyContext& context,
+               const std::vector<Task>& before) {
+  Task task;
+  task.name = read_name(table);
+  table.require("kind");
+  const auto kind = table.choice("kind", {"match", "find", "guess", "rate"});
+  task.kind = kind_of(table, kind);
+  task.limit_s = table.number("limit_s", 1, longest_limit_s);
+  task.blind = table.boolean("blind").value_or(false) || task.kind == TaskKind::guess;
+  task.playback = table.boolean("playback").value_or(false);
+  task.has_done = table.boolean("done").value_or(true);
+  task.reference = read_reference(table, context);
+  task.interfaces = read_interface_list(table, context.study);
+  if (task.blind) refuse_seeing(table, context, task);
+  read_by_kind(table, context, before, kind.has_value(), task);
+  if (!task.has_done && !task.limit_s && !task.threshold_m) {
+    table.error("done", "without Done, a limit_s or a threshold a trial would never end");
   }
   return task;
+}
+
+// A guess comes before what begins from it, whatever the order.
+void refuse_early_starts(const std::vector<TomlTable>& tables, const Study& study,
+                         const std::vector<Task>& tasks) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].start_guess < 0 || study.task_order == Sequence::fixed) continue;
+    tables[i].error("start", "with task_order = \"random\" the guess may come after this task");
+  }
 }
 
 }  // namespace
@@ -156,10 +234,17 @@ std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context)
   if (!root.has("task")) root.error("a study needs at least one [[task]]");
   const std::vector<TomlTable> tables = root.tables("task");
   for (const TomlTable& table : tables) {
-    tasks.push_back(read_task(table, context));
+    tasks.push_back(read_task(table, context, tasks));
     names.push_back(tasks.back().name);
   }
+  const bool only_rated = !tasks.empty() && std::all_of(tasks.begin(), tasks.end(), [](auto& one) {
+    return one.kind == TaskKind::rate;
+  });
+  if (!root.has("interface") && !only_rated) {
+    root.error("a study needs at least one [[interface]]");
+  }
   refuse_doubles(tables, names, "task");
+  refuse_early_starts(tables, context.study, tasks);
   return tasks;
 }
 

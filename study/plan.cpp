@@ -1,7 +1,10 @@
+// The trials of a session, in their order.
 #include "study/plan.h"
 
 #include <algorithm>
 #include <cassert>
+
+#include "study/plan_pages.h"
 
 namespace promenade::study {
 namespace {
@@ -10,6 +13,12 @@ std::vector<int> counted(std::size_t n) {
   std::vector<int> values;
   for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<int>(i));
   return values;
+}
+
+std::size_t rows_of_design(const Study& study) {
+  const int n = static_cast<int>(study.interfaces.size());
+  if (study.order == Order::latin) return latin_square(n).size();
+  return study.order == Order::williams ? williams_design(n).size() : 1;
 }
 
 std::vector<int> interface_order(const Study& study, int sequence) {
@@ -24,113 +33,176 @@ std::vector<int> interface_order(const Study& study, int sequence) {
   return rows[static_cast<std::size_t>(sequence) % rows.size()];
 }
 
-bool has_interface(const Task& task, int interface) {
-  return std::find(task.interfaces.begin(), task.interfaces.end(), interface) !=
-         task.interfaces.end();
+bool contains(const std::vector<int>& values, int value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-// The trials of one interface, in order.
-class Block {
+// Adds trials to the plan, block by block.
+class Trials {
  public:
-  Block(const Study& study, int block, int interface, Plan& plan)
-      : study_(study), block_(block), interface_(interface), plan_(plan) {}
-
-  void add_practice() {
-    for (std::size_t task = 0; task < study_.tasks.size(); ++task) {
-      add(task, counted(study_.tasks[task].practice.size()), true);
+  Trials(const Study& study, Plan& plan)
+      : study_(study),
+        plan_(plan),
+        order_(study.seed, static_cast<std::uint64_t>(plan.sequence), "order"),
+        interfaces_(interface_order(study, plan.sequence)),
+        tasks_(counted(study.tasks.size())) {
+    if (study.task_order == Sequence::random) {
+      Rng rng(study.seed, static_cast<std::uint64_t>(plan.sequence), "tasks");
+      rng.shuffle(tasks_);
     }
   }
 
-  void add_tasks(Rng& rng) {
-    for (std::size_t task = 0; task < study_.tasks.size(); ++task) {
-      std::vector<int> targets = counted(study_.tasks[task].targets.size());
-      if (study_.order != Order::fixed) rng.shuffle(targets);
-      add(task, targets, false);
-    }
+  void add_all() {
+    const bool first = !study_.tasks.empty() && study_.tasks[0].kind == TaskKind::rate;
+    if (first) add_rate_tasks();
+    if (study_.nesting[0] != Factor::interface) add_practice_blocks();
+    loop(0, {});
+    if (!first) add_rate_tasks();
   }
 
  private:
-  void add(std::size_t task, const std::vector<int>& targets, bool practice) {
-    if (!has_interface(study_.tasks[task], interface_)) return;
-    for (const int target : targets) {
-      PlannedTrial trial;
-      trial.position = static_cast<int>(plan_.trials.size()) + 1;
-      trial.block = block_;
-      trial.practice = practice;
-      trial.task = static_cast<int>(task);
-      trial.interface = interface_;
-      trial.target = target;
-      plan_.trials.push_back(trial);
+  struct Choice {
+    int interface = -1, task = -1, target = -1;
+  };
+
+  const Task& task(int index) const { return study_.tasks[static_cast<std::size_t>(index)]; }
+
+  void add_rate_tasks() {
+    for (const int index : tasks_) {
+      if (task(index).kind != TaskKind::rate) continue;
+      open_block();
+      for (std::size_t k = 0; k < task(index).practice.size(); ++k) {
+        add({-1, index, static_cast<int>(k)}, true);
+      }
+      for (const int target : targets_in_order(task(index).targets.size())) {
+        add({-1, index, target}, false);
+      }
     }
   }
 
-  const Study& study_;
-  int block_;
-  int interface_;
-  Plan& plan_;
-};
-
-void add_pages(const Study& study, Plan& plan) {
-  plan.pages = {{PageKind::welcome, -1}, {PageKind::consent, -1}};
-  int block = 0;
-  for (std::size_t i = 0; i < plan.trials.size(); ++i) {
-    const PlannedTrial& trial = plan.trials[i];
-    const int index = static_cast<int>(i);
-    const bool opens = trial.block != block;
-    if (opens && block > 0 && study.breaks.after_block)
-      plan.pages.push_back({PageKind::break_, -1});
-    plan.pages.push_back({opens ? PageKind::instructions : PageKind::intro, index});
-    plan.pages.push_back({PageKind::trial, index});
-    if (!trial.practice && !study.ratings.empty()) plan.pages.push_back({PageKind::rating, index});
-    block = trial.block;
+  void add_practice_blocks() {
+    for (const int interface : interfaces_) {
+      open_block();
+      add_practice(interface);
+    }
   }
-  plan.pages.push_back({PageKind::thanks, -1});
-}
+
+  void add_practice(int interface) {
+    for (const int index : tasks_) {
+      for (std::size_t k = 0; k < task(index).practice.size(); ++k) {
+        if (contains(task(index).interfaces, interface)) {
+          add({interface, index, static_cast<int>(k)}, true);
+        }
+      }
+    }
+  }
+
+  void loop(std::size_t level, Choice choice) {
+    if (level == study_.nesting.size()) {
+      if (is_dealt(choice)) add(choice, false);
+      return;
+    }
+    for (const int value : values_of(study_.nesting[level], choice)) {
+      if (level == 0) open_block();
+      Choice inner = choice;
+      switch (study_.nesting[level]) {
+        case Factor::interface:
+          inner.interface = value;
+          if (level == 0) add_practice(value);
+          break;
+        case Factor::task:
+          inner.task = value;
+          break;
+        case Factor::target:
+          inner.target = value;
+          break;
+      }
+      loop(level + 1, inner);
+    }
+  }
+
+  std::vector<int> values_of(Factor factor, const Choice& choice) {
+    if (factor == Factor::interface) return interfaces_;
+    if (factor == Factor::target) {
+      if (choice.task >= 0) return targets_in_order(task(choice.task).targets.size());
+      std::size_t most = 0;
+      for (const Task& one : study_.tasks) {
+        if (one.kind != TaskKind::rate) most = std::max(most, one.targets.size());
+      }
+      return targets_in_order(most);
+    }
+    std::vector<int> tasks;
+    for (const int index : tasks_) {
+      if (task(index).kind != TaskKind::rate) tasks.push_back(index);
+    }
+    return tasks;
+  }
+
+  std::vector<int> targets_in_order(std::size_t count) {
+    std::vector<int> targets = counted(count);
+    const bool fixed = study_.order == Order::fixed || study_.target_order == Sequence::fixed;
+    if (!fixed) order_.shuffle(targets);
+    return targets;
+  }
+
+  bool is_dealt(const Choice& choice) const {
+    const Task& asked = task(choice.task);
+    if (!contains(asked.interfaces, choice.interface)) return false;
+    if (choice.target >= static_cast<int>(asked.targets.size())) return false;
+    if (asked.deal == Deal::same) return true;
+    // Over as many sequences as there are lists every interface meets every list; over all
+    // orders of the design times that, in every order.
+    const auto sequence = static_cast<std::size_t>(plan_.sequence);
+    const std::size_t shift = sequence + sequence / rows_of_design(study_);
+    const auto list = (static_cast<std::size_t>(choice.interface) + shift) % asked.lists.size();
+    return contains(asked.lists[list], choice.target);
+  }
+
+  // A block that gets no trial is none.
+  void open_block() {
+    const bool empty = plan_.trials.empty() || plan_.trials.back().block < block_;
+    if (!empty || block_ == 0) ++block_;
+  }
+
+  void add(const Choice& choice, bool practice) {
+    PlannedTrial trial;
+    trial.position = static_cast<int>(plan_.trials.size()) + 1;
+    trial.block = block_;
+    trial.practice = practice;
+    trial.task = choice.task;
+    trial.interface = choice.interface;
+    trial.target = choice.target;
+    const Target& target = target_of(study_, trial);
+    if (target.draw) {
+      Rng stream = stream_of(choice.task, target.name);
+      trial.drawn = target.draw(stream);
+    }
+    plan_.trials.push_back(std::move(trial));
+  }
+
+  // The same for all interfaces, and for a guess and what begins from it.
+  Rng stream_of(int index, const std::string& target) const {
+    const int guess = task(index).start_guess;
+    const std::string& name = task(guess >= 0 ? guess : index).name;
+    return {study_.seed, static_cast<std::uint64_t>(plan_.sequence), "target:" + name + ":" + target};
+  }
+
+  const Study& study_;
+  Plan& plan_;
+  Rng order_;
+  std::vector<int> interfaces_, tasks_;
+  int block_ = 0;
+};
 
 }  // namespace
 
-std::string_view to_text(PageKind kind) {
-  switch (kind) {
-    case PageKind::language:
-      return "language";
-    case PageKind::welcome:
-      return "welcome";
-    case PageKind::consent:
-      return "consent";
-    case PageKind::instructions:
-      return "instructions";
-    case PageKind::intro:
-      return "intro";
-    case PageKind::trial:
-      return "trial";
-    case PageKind::rating:
-      return "rating";
-    case PageKind::break_:
-      return "break";
-    case PageKind::thanks:
-      return "thanks";
-    case PageKind::declined:
-      return "declined";
-  }
-  return "";
-}
-
 Plan make_plan(const Study& study, int sequence) {
   assert(sequence >= 0 && "orders are counted from 0");
-  const auto participant = static_cast<std::uint64_t>(sequence);
   Plan plan;
   plan.sequence = sequence;
   // SQLite's integers have a sign.
-  plan.seed = Rng(study.seed, participant, "session").next() >> 1;
-  Rng order(study.seed, participant, "order");
-  int block = 0;
-  for (const int interface : interface_order(study, sequence)) {
-    const std::size_t before = plan.trials.size();
-    Block trials(study, block + 1, interface, plan);
-    trials.add_practice();
-    trials.add_tasks(order);
-    block += plan.trials.size() > before;
-  }
+  plan.seed = Rng(study.seed, static_cast<std::uint64_t>(sequence), "session").next() >> 1;
+  Trials(study, plan).add_all();
   add_pages(study, plan);
   return plan;
 }
@@ -142,6 +214,12 @@ const Task& task_of(const Study& study, const PlannedTrial& trial) {
 const Target& target_of(const Study& study, const PlannedTrial& trial) {
   const Task& task = task_of(study, trial);
   return (trial.practice ? task.practice : task.targets)[static_cast<std::size_t>(trial.target)];
+}
+
+const Eigen::VectorXd* target_weights(const Study& study, const PlannedTrial& trial) {
+  if (trial.drawn.size() > 0) return &trial.drawn;
+  const Target& target = target_of(study, trial);
+  return target.weights ? &*target.weights : nullptr;
 }
 
 }  // namespace promenade::study

@@ -1,13 +1,16 @@
 // Who gets what in which order.
 //
-// A session is a row of blocks, one for each interface; the order of the interfaces
-// is counterbalanced over sequences by the study's design. Within a block come the
-// practice trials of all tasks, then the tasks in the order of the file, so that
-// every interface meets the same tasks. The targets of a task are shuffled anew for
-// each block, by (study seed, sequence, "order"); order = "fixed" keeps everything
-// as in the file. A block opens with its instructions, every later trial with a
-// short introduction, so that no clock starts unasked; ratings follow each trial
-// that counts, and a break each block but the last where the study asks for it.
+// A session is three nested loops over interfaces, tasks and targets; Study::nesting says
+// which is the outermost, and a block is one turn of it. The order of the interfaces is
+// counterbalanced over sequences by the study's design; tasks and targets are in the order of
+// the file or shuffled, by (study seed, sequence, "order"). With the interface outermost the
+// practice trials of all tasks stand at the head of each block; else all practice comes
+// first, a block for each interface. Rate tasks have no interface: each is a block of its
+// own, before all others where it stands first in the file, else behind them.
+//
+// The first trial of a block, and of an interface, is opened by instructions, every other by a
+// short introduction, so that no clock starts unasked. Questionnaires and breaks stand where
+// the study asks for them.
 #pragma once
 
 #include "study/study.h"
@@ -19,8 +22,10 @@ struct PlannedTrial {
   int block = 0;     // from 1
   bool practice = false;
   int task = 0;       // index into Study::tasks
-  int interface = 0;  // index into Study::interfaces
+  int interface = 0;  // index into Study::interfaces; -1 in rate tasks
   int target = 0;     // index into Task::targets, or Task::practice
+  // N: of a target that is drawn for each participant; empty: Target::weights says it.
+  Eigen::VectorXd drawn = {};
 };
 
 // Outside the plan: the choice of a language, before it, and the page after Decline.
@@ -31,7 +36,8 @@ enum class PageKind {
   instructions,
   intro,
   trial,
-  rating,
+  questionnaire,
+  release,  // practice is over when the experimenter says so
   break_,
   thanks,
   declined
@@ -40,7 +46,10 @@ enum class PageKind {
 // One screen of a session, in the order shown.
 struct Page {
   PageKind kind = PageKind::welcome;
-  int trial = -1;  // index into Plan::trials; for instructions the trial it prepares
+  // Index into Plan::trials; of instructions the trial that they prepare, of other pages the
+  // one that they follow. -1: none.
+  int trial = -1;
+  int questionnaire = -1;  // index into Study::questionnaires
 };
 
 struct Plan {
@@ -58,6 +67,8 @@ std::string_view to_text(PageKind kind);
 
 const Task& task_of(const Study& study, const PlannedTrial& trial);
 const Target& target_of(const Study& study, const PlannedTrial& trial);
+// N weights of the motion that the trial is about; null in find tasks.
+const Eigen::VectorXd* target_weights(const Study& study, const PlannedTrial& trial);
 
 // Orders of the conditions 0..n-1: a Williams design (2n rows for odd n), whose
 // rows are balanced for position and for the condition before.

@@ -9,7 +9,7 @@ namespace promenade::study {
 class Database;
 
 inline constexpr int application_id = 0x50524d44;  // "PRMD"
-inline constexpr int schema_version = 1;           // PRAGMA user_version
+inline constexpr int schema_version = 2;           // PRAGMA user_version
 
 // What is said of a file that was a database once.
 inline constexpr const char* damaged_database =
@@ -18,6 +18,9 @@ inline constexpr const char* damaged_database =
 // Makes all tables in an empty database and fills `dictionary`. The transaction is
 // the caller's.
 void create_tables(Database& database);
+
+// Writes the sentence of every column into `dictionary`, over what stands there.
+void fill_dictionary(Database& database);
 
 // Throws InputError when the file is no database of Promenade, or of a newer
 // version. Opens nothing for writing.

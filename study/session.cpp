@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "study/session_steps.h"
@@ -58,7 +57,8 @@ Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, P
     : bundle_(&bundle),
       registry_(&registry),
       plan_(std::move(plan)),
-      asks_language_(asks_language) {
+      asks_language_(asks_language),
+      attempts_(plan_.trials.size(), 0) {
   assert(!plan_.pages.empty() && plan_.pages[0].kind != PageKind::trial &&
          "a session begins with a page that waits");
 }
@@ -69,6 +69,7 @@ Session::~Session() = default;
 void Session::change_sequence(int sequence) {
   assert(page_ == 0 && !declined_ && "the participant has seen nothing of the plan");
   plan_ = make_plan(bundle_->study, sequence);
+  attempts_.assign(plan_.trials.size(), 0);
 }
 
 const Page& Session::page() const {
@@ -82,12 +83,21 @@ const TrialState* Session::trial() const { return trial_ ? &*trial_ : nullptr; }
 
 bool Session::can_continue() const {
   const PageKind kind = page().kind;
-  if (ended() || kind == PageKind::trial || kind == PageKind::language) return false;
-  if (break_left_us() > 0) return false;
-  for (const std::optional<double>& answer : answers_) {
-    if (!answer) return false;
+  const bool waits_for_more =
+      kind == PageKind::trial || kind == PageKind::language || kind == PageKind::release;
+  return !ended() && !waits_for_more && break_left_us() == 0 && answered();
+}
+
+const Instrument* Session::questions() const {
+  const Study& study = bundle_->study;
+  const Page& now = page();
+  int index = -1;
+  if (now.kind == PageKind::questionnaire) {
+    index = study.questionnaires[static_cast<std::size_t>(now.questionnaire)].instrument;
+  } else if (trial_) {
+    index = task_of(study, plan_.trials[static_cast<std::size_t>(trial_->index)]).instrument;
   }
-  return true;
+  return index < 0 ? nullptr : &study.instruments[static_cast<std::size_t>(index)];
 }
 
 std::int64_t Session::break_left_us() const {
@@ -100,12 +110,22 @@ std::vector<Record> Session::step(const Input& input) {
   now_us_ = input.t_us;
   Steps steps{*this, input};
   steps.begin();
+  if (steps.rests()) {
+    std::visit([&](const auto& action) { steps.act(action); }, input.action);
+    return std::move(steps.records);
+  }
   if (steps.stands()) return std::move(steps.records);
   steps.wake();
   steps.pass_deadlines(input.t_us);
+  steps.notice_participant();
   std::visit([&](const auto& action) { steps.act(action); }, input.action);
   steps.pass_deadlines(input.t_us);  // a dwell time of 0 has passed at once
   return std::move(steps.records);
+}
+
+std::string Session::Steps::json_text(const char* key, const std::string& text) {
+  return nlohmann::json{{key, text}}.dump(-1, ' ', false,
+                                          nlohmann::json::error_handler_t::replace);
 }
 
 Event& Session::Steps::log(const char* kind) {
@@ -140,38 +160,26 @@ void Session::Steps::open_page(std::int64_t t_us) {
   const bool planned = page.kind != PageKind::declined && page.kind != PageKind::language;
   if (planned) event.value = static_cast<double>(session.page_);
   session.opened_us_ = t_us;
-  const bool rated = page.kind == PageKind::rating;
-  session.answers_.assign(rated ? session.bundle_->study.ratings.size() : 0, std::nullopt);
-  session.answered_us_.assign(session.answers_.size(), 0);
-  if (page.kind == PageKind::trial) open_trial(t_us);
+  if (page.kind == PageKind::trial) {
+    open_trial(t_us);
+  } else {
+    open_questions();
+  }
 }
 
 void Session::Steps::next_page(std::int64_t t_us) {
   if (session.page().kind != PageKind::trial) session.just_ended_.reset();
   if (session.declined_) return end(t_us, Outcome::declined);
+  if (repeat_practice(t_us)) return;
   if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
   ++session.page_;
+  pass_won_trials();
   open_page(t_us);
 }
 
 void Session::Steps::end(std::int64_t t_us, Outcome outcome) {
   session.outcome_ = outcome;
   records.emplace_back(SessionEnded{t_us, outcome});
-}
-
-void Session::Steps::emit_answers() {
-  const Study& study = session.bundle_->study;
-  for (std::size_t i = 0; i < session.answers_.size(); ++i) {
-    if (!session.answers_[i]) continue;
-    Answer answer;
-    answer.trial = session.page().trial;
-    answer.t_us = session.answered_us_[i];
-    answer.instrument = "rating";
-    answer.version = study.version;
-    answer.item = study.ratings[i].item;
-    answer.value = session.answers_[i];
-    records.emplace_back(std::move(answer));
-  }
 }
 
 void Session::Steps::act(const ChooseLanguage& choice) {
@@ -201,23 +209,8 @@ void Session::Steps::act(const Decline&) {
   open_page(input.t_us);
 }
 
-void Session::Steps::act(const SetAnswer& answer) {
-  const std::vector<Rating>& ratings = session.bundle_->study.ratings;
-  for (std::size_t i = 0; i < session.answers_.size(); ++i) {
-    const bool on_scale = answer.value >= 1 && answer.value <= ratings[i].points &&
-                          answer.value == std::round(answer.value);
-    if (ratings[i].item != answer.item || !on_scale) continue;
-    session.answers_[i] = answer.value;
-    session.answered_us_[i] = input.t_us;
-    Event& event = log("answer");
-    event.target = answer.item;
-    event.value = answer.value;
-  }
-}
-
 void Session::Steps::act(const Stop& stop) {
-  log("stop").detail = nlohmann::json{{"reason", stop.reason}}.dump(
-      -1, ' ', false, nlohmann::json::error_handler_t::replace);
+  log("stop").detail = json_text("reason", stop.reason);
   const PageKind page = session.page().kind;
   emit_answers();
   if (session.trial_) end_trial(input.t_us, TrialOutcome::aborted);

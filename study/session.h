@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -13,6 +14,7 @@
 
 #include "study/interface.h"
 #include "study/plan.h"
+#include "study/process_measures.h"
 
 namespace promenade::study {
 
@@ -23,6 +25,8 @@ enum class TrialOutcome { success, timeout, done, skipped, aborted };
 std::string_view to_text(Actor actor);
 std::string_view to_text(Outcome outcome);
 std::string_view to_text(TrialOutcome outcome);
+std::string_view to_text(ResumePolicy policy);             // "continue", "trial", "block"
+ResumePolicy resume_policy_of(std::string_view word);      // unknown: continue_
 
 // What can happen to a session.
 struct Tick {};  // time passed
@@ -41,9 +45,12 @@ struct Redo {};
 struct Control {
   ControlInput input;
 };  // its t_us is set by step from Input::t_us
+// To an item of the questionnaire on this page. Nothing in it: it is taken back.
 struct SetAnswer {
   std::string item;
-  double value = 0;
+  std::optional<double> value = {};
+  std::string text = {};
+  bool declined = false;
 };
 struct Camera {
   double yaw = 0, pitch = 0, zoom = 1;
@@ -60,6 +67,22 @@ struct LateFrame {
 struct Stop {
   std::string reason;
 };  // the window is closed, the experimenter ends it
+struct Note {
+  std::string text;
+};  // of the experimenter; changes nothing
+struct Release {};  // the experimenter lets the participant go on
+struct Skip {
+  std::string reason;
+};  // the page, or the trial with its introduction and questionnaires, is left out
+struct Repeat {
+  bool block = false;  // the whole block, else the trial that runs or ended last
+  std::string reason;
+};
+// The program died and has been started again: first input after a replay of the log.
+struct Interrupted {
+  std::int64_t gap_us = 0;  // by the wall clock, from the last event to now
+  ResumePolicy policy = ResumePolicy::continue_;
+};
 
 struct Input {
   std::int64_t t_us = 0;  // since the session began; never goes back
@@ -68,7 +91,8 @@ struct Input {
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
   std::variant<Tick, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver, Undo,
-               Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop>
+               Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release, Skip,
+               Repeat, Interrupted>
       action;
 };
 
@@ -76,8 +100,11 @@ struct Input {
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
 // begins from the common start), "language" (target: the one chosen), "continue",
 // "continue_refused", "decline", "pause", "resume", "press", "done", "start_over", "undo",
-// "redo", "answer", "camera", "playback", "late_frame", "stop"; and what was done to a control
-// under the interface's own word, with
+// "redo", "answer", "camera", "playback", "late_frame", "stop"; of the system also "won" (D
+// stayed below the threshold for the dwell time), "timeout", "won_by_guess" (a trial that its
+// guess had already won) and "interrupted" (value: the gap in seconds, target: the policy); of
+// the experimenter also "note", "release", "skip" and "repeat" (target: "trial" or "block");
+// and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
 // {"first": true}, the first time that a control was touched in a trial, {"text": ...},
 // what was typed, and in the detail of "start" the controls as the system set them.
@@ -85,6 +112,12 @@ struct TrialStarted {
   int trial = 0;  // index into Plan::trials
   std::int64_t t_us = 0;
   std::optional<double> d_first;
+  int attempt = 1;  // from 1; more when the trial was repeated
+};
+// The trial is done again: what it gave so far does not count.
+struct TrialSuperseded {
+  int trial = 0;  // index into Plan::trials
+  std::int64_t t_us = 0;
 };
 struct Event {
   int trial = -1;  // -1: outside trials
@@ -101,12 +134,17 @@ struct Sample {
   Eigen::VectorXd weights;
 };
 struct Answer {
-  int trial = -1;
+  int trial = -1;  // -1: about no single trial
   std::int64_t t_us = 0;
   std::string instrument, version, item;
   std::optional<double> value;
   std::string text;
   bool declined = false, touched = true;
+  // What it is about when it is about no single trial: an index into Plan::trials whose
+  // block, task and interface are meant; -1: the whole session.
+  int about = -1;
+  Questionnaire::When when = Questionnaire::When::trial;
+  int place = 0;  // of the item on the page, from 1
 };
 struct TrialEnded {
   int trial = 0;
@@ -116,12 +154,14 @@ struct TrialEnded {
   std::optional<std::int64_t> first_below_us;
   std::int64_t paused_us = 0;  // how long it stood; not part of its limit
   int clicks = 0, changes = 0, late_frames = 0;
+  ProcessMeasures process;
 };
 struct SessionEnded {
   std::int64_t t_us = 0;
   Outcome outcome = Outcome::finished;
 };
-using Record = std::variant<TrialStarted, Event, Sample, Answer, TrialEnded, SessionEnded>;
+using Record =
+    std::variant<TrialStarted, TrialSuperseded, Event, Sample, Answer, TrialEnded, SessionEnded>;
 
 // What undo takes back: the controls before each gesture, where a gesture is all that
 // is done to one control from one press of the mouse, or of a key, to the next.
@@ -133,6 +173,7 @@ struct History {
   std::vector<Step> undo, redo;
   std::string gesture;   // "kind target" of the one that goes on; empty: it has ended
   bool counted = false;  // it has changed what is shown
+  bool dragged = false;  // it had more than one input
   std::int64_t last_us = 0;
 };
 
@@ -146,8 +187,8 @@ struct LastTrial {
 struct TrialState {
   int index = 0;  // into Plan::trials
   std::int64_t started_us = 0;
-  std::unique_ptr<InterfaceState> interface;
-  History history;                      // of the controls
+  std::unique_ptr<InterfaceState> interface;  // in rate tasks one without controls
+  History history;                            // of the controls
   std::set<std::string> first_touched;  // controls, as "kind target"
   bool touched = false;                 // false: the start is shown, whatever the controls say
   Eigen::VectorXd weights;              // shown now
@@ -160,6 +201,7 @@ struct TrialState {
   std::optional<double> d;                              // of what is shown
   std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
   TrialEnded summary;                                   // filled as it goes
+  ProcessMeter process;
 
   // The time that the controls know: it stands while the trial is paused.
   std::int64_t control_us(std::int64_t t_us) const { return t_us - summary.paused_us; }
@@ -187,8 +229,13 @@ class Session {
   const TrialState* trial() const;  // null outside trial pages
   Outcome outcome() const { return outcome_; }
   bool ended() const { return outcome_ != Outcome::running; }
-  // Answers given on this rating page so far; Continue needs all of them.
-  const std::vector<std::optional<double>>& answers() const { return answers_; }
+  // The questions of this page, a questionnaire or a rate trial; null elsewhere.
+  const Instrument* questions() const;
+  // Answers so far, in the order of the instrument; Continue needs all that are needed.
+  const std::vector<ItemAnswer>& answers() const { return answers_; }
+  // Indices of the items in the order in which they are shown.
+  const std::vector<int>& item_order() const { return item_order_; }
+  bool answered() const;  // all that is needed
   // Now, which is the time of the last input.
   bool can_continue() const;
   // How long a break has to last from now on; 0 on other pages.
@@ -206,12 +253,19 @@ class Session {
   std::size_t page_ = 0;
   Outcome outcome_ = Outcome::running;
   std::optional<TrialState> trial_;
-  std::vector<std::optional<double>> answers_;
+  std::vector<ItemAnswer> answers_;
   std::vector<std::int64_t> answered_us_;  // when each was given
+  std::vector<int> item_order_;
+  std::map<int, TrialOutcome> outcomes_;   // by trial: of its last attempt
+  int practice_rounds_ = 0;                // of the block that runs, to criterion
+  int last_begun_ = -1;                    // index into Plan::trials
+  // End states of guesses, by index into Plan::trials.
+  std::map<int, std::unique_ptr<InterfaceState>> guesses_;
   bool begun_ = false;                     // the first page has been logged
   bool declined_ = false;                  // the page that follows Decline is shown
   bool asks_language_ = false;             // the page before the plan is shown
   std::string language_;
+  std::vector<int> attempts_;  // by index into Plan::trials: how often it was begun
   std::int64_t now_us_ = 0, opened_us_ = 0;  // of the last input; of the page
   std::optional<std::int64_t> paused_since_us_;
   std::optional<LastTrial> just_ended_;

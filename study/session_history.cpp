@@ -59,7 +59,7 @@ void Session::Steps::step_back(const char* kind, std::vector<History::Step>& fro
   } else {
     trial.weights = start_weights(session.bundle_->space);
   }
-  show(trial, input.t_us, true);
+  show(trial, input.t_us, Shown::gesture);
 }
 
 void Session::Steps::act(const Undo&) {

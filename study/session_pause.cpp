@@ -4,9 +4,21 @@
 
 namespace promenade::study {
 
+bool Session::Steps::rests() const {
+  if (!session.paused()) return false;
+  const auto* gap = std::get_if<Interrupted>(&input.action);
+  return std::holds_alternative<Note>(input.action) ||
+         (gap != nullptr && gap->policy == ResumePolicy::continue_);
+}
+
 bool Session::Steps::stands() const {
-  return session.paused() && !std::holds_alternative<Resume>(input.action) &&
-         !std::holds_alternative<Stop>(input.action);
+  const auto ends_it = [](const auto& action) {
+    using Action = std::decay_t<decltype(action)>;
+    return std::is_same_v<Action, Resume> || std::is_same_v<Action, Stop> ||
+           std::is_same_v<Action, Skip> || std::is_same_v<Action, Repeat> ||
+           std::is_same_v<Action, Release> || std::is_same_v<Action, Interrupted>;
+  };
+  return session.paused() && !std::visit(ends_it, input.action);
 }
 
 void Session::Steps::wake() {

@@ -15,16 +15,33 @@ struct Session::Steps {
   void open_page(std::int64_t t_us);
   void next_page(std::int64_t t_us);
   void end(std::int64_t t_us, Outcome outcome);
+
+  // session_answers.cpp: questionnaires
+  void open_questions();
   void emit_answers();
+
+  // session_flow.cpp: what leaves the order of the pages
+  bool repeat_practice(std::int64_t t_us);  // true: the practice of the block begins again
+  void pass_won_trials();  // leaves out what stands before a trial that its guess has won
+  void leave_trial(std::int64_t t_us);      // to the page behind its questionnaires
+  void go_to(std::size_t page, std::int64_t t_us);
+  void supersede(int trial, std::int64_t t_us);
+  bool guess_wins(int trial) const;
+  const InterfaceState* guess_of(int trial) const;  // null: it begins from the average
+  void repeat(bool block);
 
   // session_trial.cpp: the running trial
   void open_trial(std::int64_t t_us);
+  void begin_trial(std::int64_t t_us);
   void reset_trial(TrialState& trial) const;
-  void show(TrialState& trial, std::int64_t t_us, bool by_control);
+  TrialState fresh_trial(int index, std::int64_t t_us) const;
+  enum class Shown { time, control, gesture };  // by time alone; by a control, the first of a gesture
+  void show(TrialState& trial, std::int64_t t_us, Shown how);
   void end_trial(std::int64_t t_us, TrialOutcome outcome);
   void pass_deadlines(std::int64_t t_us);
   const Task& task() const;
-  bool below_threshold() const;
+  bool below_threshold(const TrialState& trial) const;
+  void notice_participant();  // for how long nobody did anything
 
   // One for each action.
   void act(const Tick&);
@@ -42,11 +59,17 @@ struct Session::Steps {
   void act(const Playback& playback);
   void act(const LateFrame& late);
   void act(const Stop& stop);
+  void act(const Note& note);
+  void act(const Release&);
+  void act(const Skip& skip);
+  void act(const Repeat& what);
+  void act(const Interrupted& gap);
 
   // session_pause.cpp
   void act(const Pause&);
   void act(const Resume&);
   bool stands() const;  // paused, and the input is none that ends it
+  bool rests() const;   // paused, and the input leaves it so
   void wake();          // ends the pause, if there is one
 
   // session_history.cpp: what undo takes back
@@ -57,6 +80,7 @@ struct Session::Steps {
   void end_gesture();
 
   // An event by the input's actor, or by the system, at the running trial.
+  static std::string json_text(const char* key, const std::string& text);  // {"key": "text"}
   Event& log(const char* kind);
   Event& log_system(const char* kind, std::int64_t t_us);
 };

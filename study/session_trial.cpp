@@ -12,11 +12,25 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+// What is rated has nothing to touch.
+class NoControls final : public InterfaceState {
+ public:
+  explicit NoControls(Eigen::VectorXd weights) : weights_(std::move(weights)) {}
+  std::unique_ptr<InterfaceState> clone() const override {
+    return std::make_unique<NoControls>(*this);
+  }
+  Applied apply(const ControlInput&) override { return Applied::refused; }
+  void weights(std::int64_t, Eigen::VectorXd& weights) const override { weights = weights_; }
+
+ private:
+  Eigen::VectorXd weights_;
+};
+
 void measure(const motion::PoseBank& bank, motion::DistanceTimes times, TrialState& trial) {
   motion::set_weights(bank, trial.weights, trial.blend);
   motion::blended_cycle(bank, trial.blend, trial.cycle);
-  if (!trial.target_points) return;
   motion::distance_points(bank, trial.blend, trial.points, times);
+  if (!trial.target_points) return;
   const motion::Distance d = motion::distance(*trial.target_points, trial.points);
   TrialEnded& summary = trial.summary;
   trial.d = d.mean_m;
@@ -60,57 +74,98 @@ const Task& Session::Steps::task() const {
 }
 
 // Only what a person did can win.
-bool Session::Steps::below_threshold() const {
-  const TrialState& trial = *session.trial_;
-  const std::optional<double>& threshold = task().threshold_m;
+bool Session::Steps::below_threshold(const TrialState& trial) const {
+  const std::optional<double>& threshold =
+      task_of(session.bundle_->study, session.plan_.trials[static_cast<std::size_t>(trial.index)])
+          .threshold_m;
   return trial.touched && trial.d && threshold && *trial.d < *threshold;
 }
 
+// The state in which the trial begins: the average, or the end of its guess.
 void Session::Steps::reset_trial(TrialState& trial) const {
   const StudyBundle& bundle = *session.bundle_;
   const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(trial.index)];
+  trial.touched = false;
+  trial.below_since_us.reset();
+  trial.weights = start_weights(bundle.space);
+  if (planned.interface < 0) {
+    trial.weights = *target_weights(bundle.study, planned);
+    trial.interface = std::make_unique<NoControls>(trial.weights);
+    return;
+  }
+  if (const InterfaceState* guess = guess_of(trial.index)) {
+    trial.interface = guess->clone();
+    trial.touched = true;
+    trial.interface->weights(settled_us, trial.weights);
+    return;
+  }
   const InterfaceUse& use = bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
   const InterfaceType* type = session.registry_->find(use.type);
   const auto number = static_cast<std::uint64_t>(trial.index);
-  trial.weights = start_weights(bundle.space);
   trial.interface = type->start({bundle.space, use.parameters, trial.weights,
                                  Rng(session.plan_.seed, number, "interface").next(), use.model});
-  trial.touched = false;
-  trial.below_since_us.reset();
 }
 
-void Session::Steps::open_trial(std::int64_t t_us) {
+TrialState Session::Steps::fresh_trial(int index, std::int64_t t_us) const {
   const StudyBundle& bundle = *session.bundle_;
   TrialState trial;
-  trial.index = session.page().trial;
+  trial.index = index;
   trial.started_us = t_us;
-  const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(trial.index)];
-  const Target& target = target_of(bundle.study, planned);
-  const motion::DistanceTimes times = task_of(bundle.study, planned).distance;
-  if (target.weights) {
-    trial.target = motion::blend(bundle.space, *target.weights);
-    trial.target_points = motion::distance_points(bundle.space.set, *trial.target, times);
+  const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(index)];
+  const Task& task = task_of(bundle.study, planned);
+  if (has_target_motion(task.kind)) {
+    trial.target = motion::blend(bundle.space, *target_weights(bundle.study, planned));
+    trial.target_points = motion::distance_points(bundle.space.set, *trial.target, task.distance);
   }
   trial.blend = motion::make_pose_blend(bundle.bank);
   reset_trial(trial);
-  measure(bundle.bank, times, trial);
-  trial.summary.trial = trial.index;
-  records.emplace_back(TrialStarted{trial.index, t_us, trial.d});
-  session.trial_ = std::move(trial);
-  log_system("start", t_us).detail = controls_json(*session.trial_->interface);
-  records.emplace_back(
-      Sample{session.trial_->index, t_us, session.trial_->d, session.trial_->weights});
+  measure(bundle.bank, task.distance, trial);
+  trial.summary.trial = index;
+  trial.process.begin(t_us);
+  trial.process.shown(t_us, trial.d, 0, trial.weights, bundle.coverage, false);
+  return trial;
+}
+
+void Session::Steps::begin_trial(std::int64_t t_us) {
+  session.trial_ = fresh_trial(session.page().trial, t_us);
+  TrialState& trial = *session.trial_;
+  const int attempt = ++session.attempts_[static_cast<std::size_t>(trial.index)];
+  session.last_begun_ = trial.index;
+  records.emplace_back(TrialStarted{trial.index, t_us, trial.d, attempt});
+  log_system("start", t_us).detail = controls_json(*trial.interface);
+  records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
+}
+
+void Session::Steps::open_trial(std::int64_t t_us) {
+  begin_trial(t_us);
+  open_questions();
+  if (!below_threshold(*session.trial_)) return;
+  // Its guess has won already: a success at T = 0 (ours).
+  session.trial_->summary.first_below_us = t_us;
+  log_system("won_by_guess", t_us);
+  end_trial(t_us, TrialOutcome::success);
+  session.just_ended_.reset();
+  leave_trial(t_us);
+}
+
+void Session::Steps::notice_participant() {
+  if (!session.trial_ || input.actor != Actor::participant) return;
+  if (std::holds_alternative<Tick>(input.action)) return;
+  session.trial_->process.input(session.trial_->control_us(input.t_us));
 }
 
 // Shows the weights that the trial has now. A change by time alone (an interface that
 // glides) leaves the dwell time running while D stays below.
-void Session::Steps::show(TrialState& trial, std::int64_t t_us, bool by_control) {
+void Session::Steps::show(TrialState& trial, std::int64_t t_us, Shown how) {
+  const motion::DistancePoints before = trial.points;
   measure(session.bundle_->bank, task().distance, trial);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
-  const bool below = below_threshold();
+  trial.process.shown(trial.control_us(t_us), trial.d, motion::distance(before, trial.points).mean_m,
+                      trial.weights, session.bundle_->coverage, how == Shown::gesture);
+  const bool below = below_threshold(trial);
   if (!below) {
     trial.below_since_us.reset();
-  } else if (by_control || !trial.below_since_us) {
+  } else if (how != Shown::time || !trial.below_since_us) {
     trial.below_since_us = t_us;
   }
   if (below && !trial.summary.first_below_us) trial.summary.first_below_us = t_us;
@@ -118,9 +173,16 @@ void Session::Steps::show(TrialState& trial, std::int64_t t_us, bool by_control)
 
 void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
   TrialEnded ended = session.trial_->summary;
+  const int index = ended.trial;
   ended.t_us = t_us;
   ended.outcome = outcome;
-  if (!task().blind) session.just_ended_ = {session.trial_->index, outcome};
+  ended.process = session.trial_->process.at(session.trial_->control_us(t_us));
+  session.just_ended_.reset();
+  if (!task().blind) session.just_ended_ = {index, outcome};
+  // An untouched guess is no other start than the average.
+  const bool guessed = task().kind == TaskKind::guess && session.trial_->touched;
+  if (guessed) session.guesses_[index] = std::move(session.trial_->interface);
+  session.outcomes_[index] = outcome;
   session.trial_.reset();
   records.emplace_back(ended);
 }
@@ -137,6 +199,7 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
         limit ? trial.started_us + trial.summary.paused_us + static_cast<std::int64_t>(*limit * 1e6)
               : never;
     if (std::min(won, over) > t_us) return;
+    log_system(won <= over ? "won" : "timeout", std::min(won, over));
     end_trial(std::min(won, over), won <= over ? TrialOutcome::success : TrialOutcome::timeout);
     next_page(std::min(won, over));
   }
@@ -148,7 +211,7 @@ void Session::Steps::act(const Tick&) {
   trial.interface->weights(trial.control_us(input.t_us), trial.next);
   if (trial.next == trial.weights) return;
   trial.weights.swap(trial.next);
-  show(trial, input.t_us, false);
+  show(trial, input.t_us, Shown::time);
 }
 
 void Session::Steps::act(const Press&) {
@@ -161,8 +224,14 @@ void Session::Steps::act(const Press&) {
 
 void Session::Steps::act(const Done&) {
   if (!session.trial_) return;
+  if (!task().has_done || !session.answered()) {
+    log("done_refused");
+    return;
+  }
   log("done");
-  end_trial(input.t_us, below_threshold() ? TrialOutcome::success : TrialOutcome::done);
+  emit_answers();
+  const bool won = below_threshold(*session.trial_);
+  end_trial(input.t_us, won ? TrialOutcome::success : TrialOutcome::done);
   next_page(input.t_us);
 }
 
@@ -173,7 +242,7 @@ void Session::Steps::act(const StartOver&) {
   end_gesture();
   remember({.kind = "start_over", .target = ""}, std::move(trial.interface), trial.touched);
   reset_trial(trial);
-  show(trial, input.t_us, true);
+  show(trial, input.t_us, Shown::gesture);
 }
 
 void Session::Steps::act(const Control& control) {
@@ -182,6 +251,7 @@ void Session::Steps::act(const Control& control) {
   ControlInput change = control.input;
   change.t_us = trial.control_us(input.t_us);
   std::unique_ptr<InterfaceState> before = before_gesture(change);
+  const bool goes_on = before == nullptr;
   const Applied applied = trial.interface->apply(change);
   Event& event = log(change.kind.c_str());
   event.target = change.target;
@@ -193,22 +263,28 @@ void Session::Steps::act(const Control& control) {
   event.detail = control_json(change, applied, first);
   if (applied != Applied::done) return;
   remember(change, std::move(before), trial.touched);
+  if (goes_on && !trial.history.dragged) trial.process.drag();
+  trial.history.dragged = goes_on;
+  trial.process.touched(static_cast<int>(trial.first_touched.size()));
   trial.interface->weights(change.t_us, trial.next);
   // The first touch counts even where it shows the start: from now on it can win.
   const bool changes = trial.next != trial.weights;
   const bool shows = !trial.touched || changes;
   trial.touched = true;
   // A drag is one change, however many frames it took.
-  if (changes && input.actor == Actor::participant && !trial.history.counted) {
+  const bool gesture =
+      changes && input.actor == Actor::participant && !trial.history.counted;
+  if (gesture) {
     trial.history.counted = true;
     ++trial.summary.changes;
   }
   if (!shows) return;
   trial.weights.swap(trial.next);
-  show(trial, input.t_us, true);
+  show(trial, input.t_us, gesture ? Shown::gesture : Shown::control);
 }
 
 void Session::Steps::act(const Camera& camera) {
+  if (session.trial_) session.trial_->process.camera(session.trial_->control_us(input.t_us));
   log("camera").detail =
       fmt::format(R"({{"yaw":{},"pitch":{},"zoom":{},"right":{},"up":{}}})", camera.yaw,
                   camera.pitch, camera.zoom, camera.right, camera.up);

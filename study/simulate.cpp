@@ -26,7 +26,7 @@ bool by_hand(const decltype(Input::action)& action) {
 // a few ahead.
 class Ordered {
  public:
-  using Work = std::function<std::vector<Record>(int index)>;
+  using Work = std::function<Steps(int index)>;
 
   Ordered(int count, int jobs, Work work)
       : count_(count), ahead_(4 * jobs), work_(std::move(work)) {
@@ -42,11 +42,11 @@ class Ordered {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  std::vector<Record> take(int index) {
+  Steps take(int index) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return error_ || done_.count(index) > 0; });
     if (error_) std::rethrow_exception(error_);
-    std::vector<Record> records = std::move(done_[index]);
+    Steps records = std::move(done_[index]);
     done_.erase(index);
     taken_ = index + 1;
     changed_.notify_all();
@@ -64,7 +64,7 @@ class Ordered {
   void run() {
     for (int index = claim(); index < count_; index = claim()) {
       try {
-        std::vector<Record> records = work_(index);
+        Steps records = work_(index);
         const std::lock_guard lock(mutex_);
         done_[index] = std::move(records);
       } catch (...) {
@@ -82,13 +82,13 @@ class Ordered {
   std::condition_variable changed_;
   int next_ = 0;
   int taken_ = 0;
-  std::map<int, std::vector<Record>> done_;
+  std::map<int, Steps> done_;
   std::exception_ptr error_;
   std::vector<std::thread> threads_;
 };
 
 void store_session(Store& store, const Plan& plan, const Cohort& cohort, const std::string& code,
-                   const std::vector<Record>& records) {
+                   const Steps& steps) {
   SessionHeader header;
   header.participant = code;
   header.simulated = true;
@@ -96,7 +96,7 @@ void store_session(Store& store, const Plan& plan, const Cohort& cohort, const s
   header.machine = cohort.machine;
   header.started_utc = utc_now();
   store.begin_session(header, plan);
-  for (const Record& record : records) store.write(record);
+  for (const std::vector<Record>& step : steps) store.write(step);
   store.flush();
   store.end_session(utc_now());
 }
@@ -126,12 +126,12 @@ bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry,
   Ordered sessions(count, std::max(1, cohort.jobs), [&](int index) {
     const auto number = static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(index);
     const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
-    return simulate_session(bundle, registry, plan_of(index), seed);
+    return simulate_steps(bundle, registry, plan_of(index), seed);
   });
   for (int index = 0; index < count; ++index) {
-    const std::vector<Record> records = sessions.take(index);
+    const Steps steps = sessions.take(index);
     try {
-      store_session(store, plan_of(index), cohort, code_of(first + index), records);
+      store_session(store, plan_of(index), cohort, code_of(first + index), steps);
     } catch (const TakenError&) {
       return true;
     }
@@ -143,16 +143,17 @@ bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry,
 
 }  // namespace
 
-std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                                     const Plan& plan, std::uint64_t seed) {
+Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                     const Plan& plan, std::uint64_t seed) {
   SimulatedParticipant participant(bundle, registry, seed);
   Session session(bundle, registry, plan);
-  std::vector<Record> records;
+  Steps steps;
   Input input;
   const auto step = [&](std::int64_t wait_us, decltype(Input::action) action) {
     input.t_us += wait_us;
+    input.actor = std::holds_alternative<Release>(action) ? Actor::experimenter : Actor::participant;
     input.action = std::move(action);
-    for (Record& record : session.step(input)) records.push_back(std::move(record));
+    steps.push_back(session.step(input));
   };
   // Frames pass while the controls glide, so that what they pass by is measured.
   const auto wait = [&](std::int64_t wait_us) {
@@ -175,6 +176,16 @@ std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceR
     const Page& now = session.page();
     const bool same = now.kind == page.kind && now.trial == page.trial;
     if (same) step(press_to_action_us, std::move(intention.action));
+  }
+  return steps;
+}
+
+std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                                     const Plan& plan, std::uint64_t seed) {
+  std::vector<Record> records;
+  for (std::vector<Record>& step : simulate_steps(bundle, registry, plan, seed)) {
+    records.insert(records.end(), std::make_move_iterator(step.begin()),
+                   std::make_move_iterator(step.end()));
   }
   return records;
 }

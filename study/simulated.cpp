@@ -63,8 +63,10 @@ Intention SimulatedParticipant::next(const Session& session) {
   switch (session.page().kind) {
     case PageKind::trial:
       return at_trial(session);
-    case PageKind::rating:
-      return at_rating(session);
+    case PageKind::questionnaire:
+      return at_questionnaire(session);
+    case PageKind::release:
+      return after(5, Release{});
     case PageKind::language:
       return after(3, ChooseLanguage{bundle_->study.languages.front()});
     default:
@@ -80,15 +82,61 @@ Intention SimulatedParticipant::at_page(const Session& session) {
   return next;
 }
 
-Intention SimulatedParticipant::at_rating(const Session& session) {
-  const std::vector<Rating>& ratings = bundle_->study.ratings;
-  for (std::size_t i = 0; i < session.answers().size(); ++i) {
-    if (session.answers()[i]) continue;
-    const double share = 0.25 + 0.55 * trial_.success + person_.generosity + 0.12 * rng_.normal();
-    const double steps = ratings[i].points - 1;
-    const double value = 1 + std::round(steps * std::clamp(share, 0.0, 1.0));
-    return after(2.5, SetAnswer{ratings[i].item, value});
+// How much of a thing somebody has who is as content as the person after this trial.
+double SimulatedParticipant::share_of_scale() {
+  return std::clamp(0.25 + 0.55 * trial_.success + person_.generosity + 0.12 * rng_.normal(), 0.0,
+                    1.0);
+}
+
+SetAnswer SimulatedParticipant::answer_to(const Item& item) {
+  SetAnswer answer{item.name};
+  const auto choose = [this](std::size_t count) { return rng_.below(count); };
+  switch (item.kind) {
+    case ItemKind::scale:
+    case ItemKind::number: {
+      const double steps = std::round((item.most - item.least) / item.step);
+      answer.value = item.least + item.step * std::round(steps * share_of_scale());
+      break;
+    }
+    case ItemKind::choice: {
+      const std::size_t at = choose(item.choices.size());
+      answer.value = static_cast<double>(at) + 1;
+      answer.text = item.choices[at].name;
+      break;
+    }
+    case ItemKind::text:
+      answer.text = "simulated";
+      break;
+    case ItemKind::ranking: {
+      std::vector<std::string> names;
+      for (const Choice& choice : item.choices) names.push_back(choice.name);
+      rng_.shuffle(names);
+      for (const std::string& name : names) answer.text += (answer.text.empty() ? "" : "\n") + name;
+      break;
+    }
+    case ItemKind::agree:
+      answer.value = 1;
+      break;
   }
+  if (item.can_decline && rng_.below(20) == 0) answer = {.item = item.name, .declined = true};
+  return answer;
+}
+
+// The next question without an answer; free words are left out now and then.
+std::optional<SetAnswer> SimulatedParticipant::next_answer(const Session& session) {
+  const Instrument* asked = session.questions();
+  if (asked == nullptr) return std::nullopt;
+  for (const int i : session.item_order()) {
+    const Item& item = asked->items[static_cast<std::size_t>(i)];
+    const bool given = session.answers()[static_cast<std::size_t>(i)].given();
+    if (given || (!item.needed && item.kind == ItemKind::text)) continue;
+    return answer_to(item);
+  }
+  return std::nullopt;
+}
+
+Intention SimulatedParticipant::at_questionnaire(const Session& session) {
+  if (auto answer = next_answer(session)) return after(2.5, std::move(*answer));
   return after(1, Continue{});
 }
 
@@ -98,14 +146,18 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   const Target& target = target_of(bundle_->study, planned);
   trial_ = {};
   trial_.index = state.index;
+  trial_.started_us = state.started_us;
   trial_.blind = task_of(bundle_->study, planned).blind;
   trial_.first = state.d.value_or(1);
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
-  if (!target.weights) {
+  const Task& task = task_of(bundle_->study, planned);
+  if (task.kind == TaskKind::rate) return;
+  const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
+  if (wanted == nullptr) {
     trial_.appeal = appeal_of(target, bundle_->space.set);
     return;
   }
-  trial_.target = *target.weights;
+  trial_.target = *wanted;
   const Eigen::VectorXd away = state.weights - trial_.target;
   const double length = std::sqrt(std::max(0.0, away.dot(gram_ * away)));
   trial_.metres_per_offset = length > 0 ? state.d.value_or(0) / length : 0;
@@ -151,14 +203,20 @@ std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& sessi
 
 Intention SimulatedParticipant::at_trial(const Session& session) {
   const TrialState& trial = *session.trial();
-  if (trial.index != trial_.index) {
+  if (trial.index != trial_.index || trial.started_us != trial_.started_us) {
     begin_trial(session);
     return after(1.5 * person_.think_s, Tick{});  // a first look
+  }
+  if (session.questions() != nullptr) {
+    if (auto answer = next_answer(session)) return after(2.5, std::move(*answer));
+    return after(1, Done{});
   }
   const double now = seen(trial);
   trial_.success = std::clamp(1 - now / std::max(trial_.first, 1e-9), 0.0, 1.0);
   if (trial.below_since_us && !trial_.blind) return {300'000, Tick{}};  // it fits: hands off
-  const bool impatient = trial_.spent_s > trial_.patience_s;
+  const bool has_done =
+      task_of(bundle_->study, session.plan().trials[static_cast<std::size_t>(trial.index)]).has_done;
+  const bool impatient = has_done && trial_.spent_s > trial_.patience_s;
   // In find tasks what is good enough comes down with the time spent.
   const double good_enough = 0.25 + 0.5 * trial_.spent_s / trial_.patience_s;
   // Blind, people stop when they believe that they are there.

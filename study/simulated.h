@@ -39,6 +39,7 @@ class SimulatedParticipant {
  private:
   struct Trial {
     int index = -1;
+    std::int64_t started_us = -1;  // of this attempt
     bool blind = false;
     double patience_s = 0;  // of this trial
     double spent_s = 0;
@@ -50,7 +51,10 @@ class SimulatedParticipant {
   };
   Intention at_page(const Session& session);
   Intention at_trial(const Session& session);
-  Intention at_rating(const Session& session);
+  Intention at_questionnaire(const Session& session);
+  std::optional<SetAnswer> next_answer(const Session& session);
+  SetAnswer answer_to(const Item& item);
+  double share_of_scale();  // 0 to 1
   void begin_trial(const Session& session);
   // How far from the wish: metres of D in match, 1 - appeal in find.
   double imagined(const Eigen::VectorXd& weights) const;

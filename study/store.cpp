@@ -3,12 +3,11 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <cerrno>
-#include <csignal>
 #include <set>
 
 #include "motion/bytes.h"
 #include "study/identity.h"
+#include "study/process.h"
 #include "study/store_open.h"
 
 namespace promenade::study {
@@ -31,17 +30,14 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
   }
 }
 
-// On this machine: a database in WAL mode is never shared between two. EPERM is the
-// answer of somebody else's process.
-bool lives(std::int64_t process) {
-  return process > 0 && (::kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM);
+// Does the row of this statement, outcome, process and its start, hold its order? Whoever
+// was killed does not.
+bool holds_order(const Statement& row) {
+  return row.text(0) == "finished" ||
+         (row.text(0) == "running" && lives(row.integer(1), row.text(2)));
 }
 
-// Does the row of this statement, outcome and process, hold its order? Whoever was
-// killed does not.
-bool holds_order(const Statement& row) {
-  return row.text(0) == "finished" || (row.text(0) == "running" && lives(row.integer(1)));
-}
+constexpr std::string_view when_words[] = {"start", "trial", "task", "block", "end"};
 
 }  // namespace
 
@@ -53,15 +49,18 @@ struct Store::Implementation {
   Database database;
   Statement insert_trial{database,
                          "INSERT INTO trial(uuid, session, position, block, practice, task, "
-                         "interface, target, limit_s, threshold_m, started_us, d_first) "
-                         "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"};
+                         "interface, target, limit_s, threshold_m, started_us, d_first, attempt) "
+                         "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"};
   Statement end_trial{database,
                       "UPDATE trial SET ended_us = ?, outcome = ?, d_best = ?, d_final = ?, "
                       "d_sum = ?, seconds_difference = ?, first_below_us = ?, paused_us = ?, "
-                      "clicks = ?, changes = ?, late_frames = ? WHERE uuid = ?"};
+                      "clicks = ?, changes = ?, late_frames = ?, d_area_m_s = ?, path_m = ?, "
+                      "reversals = ?, drags = ?, controls_touched = ?, examples_visited = ?, "
+                      "map_coverage = ?, idle_us = ?, camera_moves = ? WHERE uuid = ?"};
+  Statement supersede_trial{database, "UPDATE trial SET superseded = 1 WHERE uuid = ?"};
   Statement insert_event{database, "INSERT INTO event VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"};
-  Statement insert_sample{database, "INSERT INTO sample VALUES (?,?,?,?)"};
-  Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?)"};
+  Statement insert_sample{database, "INSERT INTO sample VALUES (?,?,?,?,?)"};
+  Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"};
 
   // The session that runs.
   std::string session;
@@ -70,17 +69,20 @@ struct Store::Implementation {
   std::int64_t seq = 0;
   bool durable = true;  // a simulated participant can be asked again
   bool open = false;    // a transaction
+  bool due = false;     // what it holds is to be durable
   int unchecked = 0;    // simulated sessions since the last checkpoint
 
   void begin();
   void commit();
   void commit_durably();
   const std::string& trial_uuid(int index) const;
+  static const std::string& interface_name(const Study& study, const PlannedTrial& trial);
   void bind_trial(Statement& statement, int column, int trial) const;
   std::string participant_uuid(const std::string& code);
   void refuse_taken(const SessionHeader& header, int sequence);
 
   void put(const TrialStarted& record);
+  void put(const TrialSuperseded& record);
   void put(const Event& record);
   void put(const Sample& record);
   void put(const Answer& record);
@@ -112,6 +114,13 @@ void Store::Implementation::commit_durably() {
   database.exec("PRAGMA wal_checkpoint(PASSIVE)");
 }
 
+const std::string& Store::Implementation::interface_name(const Study& study,
+                                                         const PlannedTrial& trial) {
+  static const std::string none;
+  if (trial.interface < 0) return none;
+  return study.interfaces[static_cast<std::size_t>(trial.interface)].name;
+}
+
 const std::string& Store::Implementation::trial_uuid(int index) const {
   const std::string& uuid = trials[static_cast<std::size_t>(index)];
   assert(!uuid.empty() && "a trial is logged after it started");
@@ -138,7 +147,8 @@ std::string Store::Implementation::participant_uuid(const std::string& code) {
 // Only inside the transaction that inserts the session: outside, it may be taken after.
 void Store::Implementation::refuse_taken(const SessionHeader& header, int sequence) {
   Statement rows(database,
-                 "SELECT outcome, process FROM session WHERE simulated = ? AND pilot = ? AND "
+                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE "
+                 "simulated = ? AND pilot = ? AND "
                  "sequence = ?");
   rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence);
   while (rows.step()) {
@@ -161,7 +171,7 @@ void Store::Implementation::put(const TrialStarted& record) {
   trials[index] = random_uuid();
   insert_trial.bind(1, trials[index]).bind(2, session).bind(3, planned.position);
   insert_trial.bind(4, planned.block).bind(5, planned.practice).bind(6, task.name);
-  insert_trial.bind(7, study.interfaces[static_cast<std::size_t>(planned.interface)].name);
+  insert_trial.bind(7, interface_name(study, planned)).bind(13, record.attempt);
   insert_trial.bind(8, target_of(study, planned).name).bind(9, task.limit_s);
   insert_trial.bind(10, task.threshold_m).bind(11, record.t_us).bind(12, record.d_first).run();
 }
@@ -183,7 +193,7 @@ void Store::Implementation::put(const Event& record) {
 
 void Store::Implementation::put(const Sample& record) {
   insert_sample.bind(1, trial_uuid(record.trial)).bind(2, record.t_us).bind(3, record.d);
-  insert_sample.bind_blob(4, bytes_of(record.weights)).run();
+  insert_sample.bind_blob(4, bytes_of(record.weights)).bind(5, seq).run();
 }
 
 void Store::Implementation::put(const Answer& record) {
@@ -191,7 +201,23 @@ void Store::Implementation::put(const Answer& record) {
   bind_trial(insert_answer, 2, record.trial);
   insert_answer.bind(5, record.item).bind(6, record.value);
   bind_unless_empty(insert_answer, 7, record.text);
-  insert_answer.bind(8, record.declined).bind(9, record.touched).bind(10, record.t_us).run();
+  insert_answer.bind(8, record.declined).bind(9, record.touched).bind(10, record.t_us);
+  insert_answer.bind(11, when_words[static_cast<std::size_t>(record.when)]);
+  insert_answer.bind(15, record.place);
+  const int about = record.trial >= 0 ? record.trial : record.about;
+  for (const int column : {12, 13, 14}) insert_answer.bind_null(column);
+  if (about >= 0) {
+    const PlannedTrial& planned = plan.trials[static_cast<std::size_t>(about)];
+    insert_answer.bind(12, planned.block).bind(14, interface_name(bundle->study, planned));
+    // A block is about its interface; it may hold several tasks.
+    const bool of_task = record.when != Questionnaire::When::block;
+    if (of_task) insert_answer.bind(13, task_of(bundle->study, planned).name);
+  }
+  insert_answer.run();
+}
+
+void Store::Implementation::put(const TrialSuperseded& record) {
+  supersede_trial.bind(1, trial_uuid(record.trial)).run();
 }
 
 void Store::Implementation::put(const TrialEnded& record) {
@@ -199,14 +225,19 @@ void Store::Implementation::put(const TrialEnded& record) {
   end_trial.bind(4, record.d_final).bind(5, record.d_sum).bind(6, record.seconds_difference);
   end_trial.bind(7, record.first_below_us).bind(8, record.paused_us).bind(9, record.clicks);
   end_trial.bind(10, record.changes).bind(11, record.late_frames);
-  end_trial.bind(12, trial_uuid(record.trial)).run();
-  commit_durably();
+  const ProcessMeasures& process = record.process;
+  end_trial.bind(12, process.d_area_m_s).bind(13, process.path_m).bind(14, process.reversals);
+  end_trial.bind(15, process.drags).bind(16, process.controls_touched);
+  end_trial.bind(17, process.examples_visited).bind(18, process.map_coverage);
+  end_trial.bind(19, process.idle_us).bind(20, process.camera_moves);
+  end_trial.bind(21, trial_uuid(record.trial)).run();
+  due = true;
 }
 
 void Store::Implementation::put(const SessionEnded& record) {
   Statement end(database, "UPDATE session SET outcome = ? WHERE uuid = ?");
   end.bind(1, to_text(record.outcome)).bind(2, session).run();
-  commit_durably();
+  due = true;
 }
 
 Store::Store(const std::filesystem::path& file, const StudyBundle& bundle)
@@ -227,11 +258,12 @@ int Store::next_sequence(bool simulated, bool pilot) {
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
   Statement rows(
       implementation_->database,
-      "SELECT outcome, process, sequence FROM session WHERE simulated = ? AND pilot = ?");
+      "SELECT outcome, process, coalesce(process_start, ''), sequence FROM session "
+      "WHERE simulated = ? AND pilot = ?");
   rows.bind(1, simulated).bind(2, pilot);
   std::set<std::int64_t> used;
   while (rows.step()) {
-    if (holds_order(rows)) used.insert(rows.integer(2));
+    if (holds_order(rows)) used.insert(rows.integer(3));
   }
   std::vector<int> free;
   for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
@@ -273,20 +305,75 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   study.bind(1, own.bundle->sha256).step();
   Statement insert(own.database,
                    "INSERT INTO session(uuid, study, participant, station, seed, sequence, "
-                   "language, started_utc, outcome, simulated, pilot, process, machine) "
-                   "VALUES (?,?,?,?,?,?,?,?,'running',?,?,?,?)");
+                   "language, started_utc, outcome, simulated, pilot, process, machine, "
+                   "process_start) VALUES (?,?,?,?,?,?,?,?,'running',?,?,?,?,?)");
   insert.bind(1, own.session).bind(2, study.text(0)).bind(3, participant).bind(4, header.station);
   insert.bind(5, static_cast<std::int64_t>(plan.seed)).bind(6, plan.sequence);
   insert.bind(7, header.language).bind(8, header.started_utc).bind(9, header.simulated);
-  insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine).run();
+  insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine);
+  insert.bind(13, process_start(::getpid())).run();
   study.reset();
   transaction.commit();
   own.commit_durably();
 }
 
-void Store::write(const Record& record) {
-  implementation_->begin();
-  std::visit([this](const auto& one) { implementation_->put(one); }, record);
+void Store::resume_session(const LoggedSession& session, const Plan& plan) {
+  Implementation& own = *implementation_;
+  own.commit();
+  Transaction transaction(own.database);
+  Statement row(own.database,
+                "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE uuid = ?");
+  if (!row.bind(1, session.uuid).step() || row.text(0) != "running" || holds_order(row)) {
+    throw TakenError(TakenError::What::session,
+                     own.database.file() + ": the session of \"" + session.participant +
+                         "\" is not interrupted any more; start again");
+  }
+  row.reset();
+  own.session = session.uuid;
+  own.plan = plan;
+  own.trials.assign(plan.trials.size(), "");
+  for (const LoggedTrial& trial : session.trials) {
+    own.trials[static_cast<std::size_t>(trial.position - 1)] = trial.uuid;  // the latest attempt
+  }
+  own.seq = session.last_seq;
+  own.durable = !session.simulated;
+  Statement update(own.database,
+                   "UPDATE session SET process = ?, process_start = ?, resumed = resumed + 1 "
+                   "WHERE uuid = ?");
+  update.bind(1, std::int64_t{::getpid()}).bind(2, process_start(::getpid()));
+  update.bind(3, session.uuid).run();
+  transaction.commit();
+}
+
+std::vector<LoggedSession> Store::interrupted_sessions(bool simulated, bool pilot) {
+  Database& database = implementation_->database;
+  Statement rows(database,
+                 "SELECT session.uuid, outcome, process, coalesce(process_start, '') "
+                 "FROM session JOIN study ON study.uuid = session.study "
+                 "WHERE outcome = 'running' AND simulated = ? AND pilot = ? AND study_sha256 = ? "
+                 "ORDER BY started_utc DESC, session.rowid DESC");
+  rows.bind(1, simulated).bind(2, pilot).bind(3, implementation_->bundle->sha256);
+  std::vector<LoggedSession> sessions;
+  while (rows.step()) {
+    if (!lives(rows.integer(2), rows.text(3))) {
+      sessions.push_back(read_session(database, rows.text(0)));
+    }
+  }
+  return sessions;
+}
+
+Database& Store::database() { return implementation_->database; }
+
+void Store::write(const std::vector<Record>& step) {
+  if (step.empty()) return;
+  Implementation& own = *implementation_;
+  own.begin();
+  for (const Record& record : step) {
+    std::visit([&own](const auto& one) { own.put(one); }, record);
+  }
+  if (!own.due) return;
+  own.due = false;
+  own.commit_durably();
 }
 
 void Store::flush() { implementation_->commit(); }

@@ -1,9 +1,10 @@
 // The log of sessions in SQLite: one file per study and station, WAL.
 //
-// write() puts a record into the open transaction; flush() commits it without
-// waiting for the disk (it survives a kill of the program) and belongs into the
-// frame, at least every 50 ms; a TrialEnded or SessionEnded record is committed
-// durably at once (it survives a power cut). Checkpoints run between trials only.
+// write() puts what one step of the session returned into the open transaction, as a whole
+// or not at all, so that a replay of the file ends between two steps; flush() commits without
+// waiting for the disk (it survives a kill of the program) and belongs into the frame, at
+// least every 50 ms; a step that ends a trial or the session is committed durably at once (it
+// survives a power cut). Checkpoints run between trials only.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +12,7 @@
 #include <string>
 
 #include "study/session.h"
+#include "study/session_log.h"
 
 namespace promenade::study {
 
@@ -27,7 +29,7 @@ struct SessionHeader {
 // Somebody else, most likely another process, has what this session was to get.
 class TakenError : public OutsideError {
  public:
-  enum class What { sequence, code };
+  enum class What { sequence, code, session };
   TakenError(What what, const std::string& message) : OutsideError(message), what_(what) {}
   What taken() const { return what_; }
 
@@ -56,10 +58,17 @@ class Store {
   std::string next_simulated_code();
   int next_simulated_number();  // its number, from 1
 
+  // Sessions of this study and kind that nobody ended and no process runs, the latest first.
+  std::vector<LoggedSession> interrupted_sessions(bool simulated, bool pilot);
+  Database& database();  // for what reads beside: study/session_log.h
+
   // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
   // or the code of a participant who must be new.
   void begin_session(const SessionHeader& header, const Plan& plan);
-  void write(const Record& record);
+  // Goes on with a session that was interrupted; `plan` is the one that it had. Throws
+  // TakenError when another process goes on with it already.
+  void resume_session(const LoggedSession& session, const Plan& plan);
+  void write(const std::vector<Record>& step);
   void flush();
   void end_session(const std::string& ended_utc);
 

@@ -104,14 +104,28 @@ void refuse_other_study(Database& database, const StudyBundle& bundle) {
                              bundle.study.name + "\"");
 }
 
+// The uuid of the motion set of a study, which several versions may share.
+std::string put_motion_set(Database& database, const StudyBundle& bundle) {
+  Statement insert(database, "INSERT OR IGNORE INTO motion_set VALUES (?,?,?,?)");
+  insert.bind(1, random_uuid()).bind(2, bundle.space.set.name).bind(3, bundle.set_sha256);
+  insert.bind_blob(4, bundle.set_bytes).run();
+  Statement known(database, "SELECT uuid FROM motion_set WHERE sha256 = ?");
+  known.bind(1, bundle.set_sha256).step();
+  return known.text(0);
+}
+
 void put_study(Database& database, const StudyBundle& bundle) {
-  Statement study(database, "INSERT OR IGNORE INTO study VALUES (?,?,?,?,?,?,?)");
-  study.bind(1, random_uuid()).bind(2, bundle.study.name).bind(3, bundle.study.version);
+  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
+  if (known.bind(1, bundle.sha256).step()) return;
+  const std::string uuid = random_uuid();
+  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
+  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
   study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
-  study.bind(7, utc_now()).run();
-  Statement set(database, "INSERT OR IGNORE INTO motion_set VALUES (?,?,?,?)");
-  set.bind(1, random_uuid()).bind(2, bundle.space.set.name).bind(3, bundle.set_sha256);
-  set.bind_blob(4, bundle.set_bytes).run();
+  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
+  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
+  for (const StudyPart& one : bundle.parts) {
+    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
+  }
 }
 
 // Reads only: a file that is not ours stays as it is.

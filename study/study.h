@@ -2,6 +2,8 @@
 // file), and with everything it names at hand.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,7 +14,9 @@
 #include "motion/place.h"
 #include "motion/pose_blender.h"
 #include "motion/problem.h"
+#include "study/instrument.h"
 #include "study/interface.h"
+#include "study/process_measures.h"
 #include "study/texts.h"
 
 namespace promenade::study {
@@ -25,37 +29,103 @@ struct InterfaceUse {
   std::shared_ptr<const InterfaceModel> model;  // what its type prepared; null: nothing
 };
 
-// What a trial asks for: a motion to reproduce, or a quality to find.
+// What a trial asks for: a motion to reproduce or to rate, or a quality to find.
 struct Target {
   std::string name;                        // as in the results
-  std::optional<Eigen::VectorXd> weights;  // N; nothing in tasks without a target motion
+  std::optional<Eigen::VectorXd> weights;  // N; nothing in find tasks, and where `draw` is set
   LocalText quality;                       // the asked word in each language (find)
   Place place = {};                        // in the study's file
+  // Drawn anew for each participant: N weights. Empty: the same for all.
+  std::function<Eigen::VectorXd(Rng&)> draw = {};
 };
 
-enum class TaskKind { match, find };
+enum class TaskKind {
+  match,  // reproduce a motion
+  find,   // find a quality
+  guess,  // reproduce a motion without seeing what is made; only Done ends it
+  rate    // answer an instrument about a motion, beside a reference; no interface
+};
+
+// Does the task have a motion that the made one is compared with?
+constexpr bool has_target_motion(TaskKind kind) {
+  return kind == TaskKind::match || kind == TaskKind::guess;
+}
+
+// How the targets of a task are dealt to the interfaces.
+enum class Deal {
+  same,    // all interfaces get all of them
+  rotated  // lists of equal difficulty, rotated over the interfaces from person to person
+};
 
 // [[task]]
 struct Task {
   std::string name;
   TaskKind kind = TaskKind::match;
   std::optional<double> limit_s;      // nothing: as long as it takes
-  std::optional<double> threshold_m;  // D that wins (match); nothing: only Done ends it
+  std::optional<double> threshold_m;  // D that wins (match, guess); nothing: only Done ends it
   int reference = -1;                 // the cycle that walks beside as a yardstick; -1: none
   bool blind = false;                 // the created figure is not shown; only Done ends the trial
   bool playback = false;              // the walk can be paused, slowed down and scrubbed
+  bool has_done = true;               // false: only the threshold or the limit ends a trial
   std::int64_t dwell_us = 500'000;    // how long D must stay below it without a change
-  motion::DistanceTimes distance = motion::DistanceTimes::time;  // when D compares (match)
-  std::vector<int> interfaces;                                   // indices into Study::interfaces
+  motion::DistanceTimes distance = motion::DistanceTimes::time;  // when D compares
+  // The task of kind guess, an index into Study::tasks, from whose end state a trial with the
+  // same interface and target begins; it is over at once when that is below the threshold.
+  // -1: trials begin from the average.
+  int start_guess = -1;
+  int instrument = -1;          // of a rate task: index into Study::instruments
+  std::vector<int> interfaces;  // indices into Study::interfaces; none in rate tasks
   std::vector<Target> targets;
   std::vector<Target> practice;  // targets of practice trials, per interface
+  Deal deal = Deal::same;
+  // With Deal::rotated: for each list the indices of its targets, as many lists as interfaces.
+  std::vector<std::vector<int>> lists;
 };
 
-// [[rating]]: a question after each trial on a scale of `points`.
-struct Rating {
-  std::string item;
-  LocalText question, low, high;
-  int points = 7;
+// [[questionnaire]]: an instrument, and where in the session it is asked.
+struct Questionnaire {
+  enum class When {
+    start,  // after consent
+    trial,  // after each trial that counts
+    task,   // after the last trial of a task with an interface
+    block,  // after each block
+    end     // before the last page
+  };
+  int instrument = 0;  // index into Study::instruments
+  When when = When::end;
+  std::vector<int> tasks;  // trial, task: indices into Study::tasks; empty: all
+};
+
+// [practice]: what has to happen before the trials that count.
+struct Practice {
+  enum class Until {
+    done,       // every practice trial was done once
+    criterion,  // enough of them were successes, or `most_rounds` have passed
+    released    // the experimenter says so
+  };
+  Until until = Until::done;
+  int successes = 1;    // criterion: in one round of a block
+  int most_rounds = 3;  // criterion: then it goes on all the same
+};
+
+// What becomes of a session that was interrupted: by a crash, a power cut, a kill.
+enum class ResumePolicy {
+  continue_,   // from the very state
+  redo_trial,  // the trial that ran is begun anew
+  redo_block   // the block is begun anew
+};
+
+// What `withdraw` removes, as the consent text says.
+enum class Withdrawal {
+  everything,  // all rows of the person
+  link         // what tells whose they are; answers and trials stay
+};
+
+// [safety]
+struct Safety {
+  ResumePolicy resume = ResumePolicy::continue_;
+  Withdrawal withdrawal = Withdrawal::everything;
+  std::string copy_to;  // a folder that gets a verified copy after each session; empty: none
 };
 
 // Where all examples walk beside the task, as the video of [O] 6 did.
@@ -70,13 +140,19 @@ struct Display {
   ExamplesWall examples = ExamplesWall::none;
 };
 
-// [breaks]: a page of rest between two blocks.
+// [breaks]: a page of rest.
 struct Breaks {
-  bool after_block = false;
+  bool after_block = false;   // between two blocks
+  int after_trials = 0;       // after so many trials that count in a block; 0: never
   std::int64_t least_us = 0;  // nobody goes on before
 };
 
+// Of the interfaces, over the participants.
 enum class Order { williams, latin, random, fixed };
+// Of tasks, or of the targets of a task, within a session.
+enum class Sequence { fixed, random };
+// The three factors of a study; how their loops are nested is up to it.
+enum class Factor { interface, task, target };
 
 struct Study {
   std::string name, version = "1";
@@ -85,12 +161,26 @@ struct Study {
   std::vector<std::string> languages = {"en"};
   std::uint64_t seed = 1;
   Order order = Order::williams;
+  Sequence task_order = Sequence::fixed, target_order = Sequence::random;
+  // The outermost loop first; a block is one turn of it.
+  std::array<Factor, 3> nesting = {Factor::interface, Factor::task, Factor::target};
+  int participants = 0;      // how many are planned; 0: not said
+  double most_minutes = 60;  // a longer session is warned of
   Display display;
   Breaks breaks;
+  Practice practice;
+  Safety safety;
   std::vector<InterfaceUse> interfaces;
   std::vector<Task> tasks;
-  std::vector<Rating> ratings;
+  std::vector<Instrument> instruments;
+  std::vector<Questionnaire> questionnaires;
   LocalText title, consent;  // own texts of the study
+};
+
+// A file that a study names: ratings, an instrument, targets.
+struct StudyPart {
+  std::string path;  // as the study says it
+  std::string content;
 };
 
 // A study, ready to run.
@@ -101,10 +191,11 @@ struct StudyBundle {
   std::string sha256;       // over everything that the study shows
   motion::MotionSpace space;
   motion::PoseBank bank;  // of this space: what is shown comes from it
+  CoverageMap coverage;
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
-  std::string ratings_sha256;  // of the file of ratings; empty: none is named
   std::string set_bytes, set_sha256;
+  std::vector<StudyPart> parts;  // by path
   std::vector<Problem> warnings;
 };
 

@@ -1,16 +1,48 @@
 // The sections of a study file, each read by one function. Inside study/ only.
 #pragma once
 
-#include "study/study.h"
+#include "study/load_study.h"
 #include "study/toml_reader.h"
 
 namespace promenade::study {
+
+// The files that a study names, each read once and kept, since they are part of the study.
+class StudyFiles {
+ public:
+  StudyFiles(std::string folder, FileLoader load)
+      : folder_(std::move(folder)), load_(std::move(load)) {}
+  // `path` as the study says it, from its folder. Throws InputError or OutsideError.
+  const std::string& read(const std::string& path);
+  std::string full_path(const std::string& path) const;  // for messages
+  std::vector<StudyPart> parts() const;                  // by path
+
+ private:
+  std::string folder_;
+  FileLoader load_;
+  std::map<std::string, std::string> contents_;
+};
+
+// The instruments that a study names, each read once into Study::instruments.
+class InstrumentShelf {
+ public:
+  InstrumentShelf(StudyFiles& files, Study& study) : files_(files), study_(study) {}
+  // The one that `key` of the table names: one of the program's, or a file of the study,
+  // "mine.toml". Its index; -1 after a problem.
+  int find(const TomlTable& table, std::string_view key);
+
+ private:
+  int add(Instrument instrument);
+  StudyFiles& files_;
+  Study& study_;
+  std::map<std::string, int> known_;
+};
 
 // What the sections need to know of each other.
 struct StudyContext {
   const InterfaceRegistry& registry;
   const Study& study;                // what has been read so far
   const motion::MotionSpace* space;  // null: the set could not be read
+  InstrumentShelf& instruments;
 };
 
 // The "name" of a table, which goes into names of files and tables of results: up to 80
@@ -27,19 +59,24 @@ LocalText read_local_text(const TomlTable& table, std::string_view key, const St
 LocalText read_languages(const TomlTable& table, const std::string& name, const Study& study);
 
 void read_study_section(const TomlTable& root, Study& study);
+// The design keys of [study]: orders, nesting, how many people, how long.
+void read_design(const TomlTable& section, Study& study);
 void read_display(const TomlTable& root, Study& study);
 void read_breaks(const TomlTable& root, Study& study);
+void read_practice(const TomlTable& root, Study& study);
+void read_safety(const TomlTable& root, Study& study);
 // `resources` is null when the motion set could not be read.
 std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const InterfaceRegistry& registry,
                                           const InterfaceResources* resources);
 // The file of ratings, if the study names one: Study::ratings_file, of `bundle.space`.
-void read_ratings_file(const TomlTable& root, StudyBundle& bundle);
+void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bundle);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context);
 std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
                                    const StudyContext& context);
-std::vector<Rating> read_ratings(const TomlTable& root, const Study& study);
+// [[rating]] and [[questionnaire]]: after the tasks, of which they speak.
+void read_questionnaires(const TomlTable& root, InstrumentShelf& instruments, Study& study);
 
 // A problem for every table whose `key` was used before.
 void refuse_doubles(const std::vector<TomlTable>& tables, const std::vector<std::string>& names,

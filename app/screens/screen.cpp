@@ -19,9 +19,10 @@ void draw_page(const Screen& screen) {
       return draw_intro(screen);
     case PageKind::trial:
       return draw_trial(screen);
-    case PageKind::rating:
-      return draw_rating(screen);
+    case PageKind::questionnaire:
+      return draw_questionnaire(screen);
     case PageKind::break_:
+    case PageKind::release:
       return draw_break(screen);
     case PageKind::thanks:
     case PageKind::declined:
@@ -67,7 +68,7 @@ void draw_marks(const Screen& screen) {
 
 bool can_pause(PageKind kind) {
   return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
-         kind == PageKind::trial || kind == PageKind::rating || kind == PageKind::break_;
+         kind == PageKind::trial || kind == PageKind::questionnaire || kind == PageKind::break_;
 }
 
 void draw_screen(const Screen& screen) {

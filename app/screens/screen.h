@@ -74,7 +74,7 @@ void draw_consent(const Screen& screen);
 void draw_instructions(const Screen& screen);
 void draw_intro(const Screen& screen);
 void draw_trial(const Screen& screen);
-void draw_rating(const Screen& screen);
+void draw_questionnaire(const Screen& screen);
 void draw_break(const Screen& screen);
 void draw_pause(const Screen& screen);    // over any page
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent

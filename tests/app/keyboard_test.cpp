@@ -65,7 +65,7 @@ class ByKeyboard : public testing::Test {
         return bench_.key(GLFW_KEY_ENTER);
       case PageKind::trial:
         return do_trial();
-      case PageKind::rating:
+      case PageKind::questionnaire:
         bench_.type("03");
         return bench_.key(GLFW_KEY_ENTER);
       default:
@@ -94,25 +94,25 @@ TEST_F(ByKeyboard, ASessionGoesFromTheChoiceOfLanguageToThanks) {
 }
 
 TEST_F(ByKeyboard, DigitsAnswerOneQuestionAfterTheOther) {
-  while (bench_.session().page().kind != PageKind::rating) do_page(bench_.session().page().kind);
+  while (bench_.session().page().kind != PageKind::questionnaire) do_page(bench_.session().page().kind);
   bench_.type("0");
-  EXPECT_EQ(bench_.session().answers()[0], 10) << "0 stands for 10";
-  EXPECT_FALSE(bench_.session().answers()[1]);
+  EXPECT_EQ(bench_.session().answers()[0].value, 10) << "0 stands for 10";
+  EXPECT_FALSE(bench_.session().answers()[1].value);
   bench_.type("8");
-  EXPECT_FALSE(bench_.session().answers()[1]) << "the scale has seven points";
+  EXPECT_FALSE(bench_.session().answers()[1].value) << "the scale has seven points";
   bench_.type("7");
-  EXPECT_EQ(bench_.session().answers()[1], 7);
+  EXPECT_EQ(bench_.session().answers()[1].value, 7);
   ASSERT_TRUE(tab_to("press", "answer:one:2"));
   bench_.type("4");
-  EXPECT_EQ(bench_.session().answers()[0], 4) << "that of the question with the keyboard";
+  EXPECT_EQ(bench_.session().answers()[0].value, 4) << "that of the question with the keyboard";
 }
 
 TEST_F(ByKeyboard, ADigitIsForTheNextQuestionAfterAnAnswerWithTheMouse) {
-  while (bench_.session().page().kind != PageKind::rating) do_page(bench_.session().page().kind);
+  while (bench_.session().page().kind != PageKind::questionnaire) do_page(bench_.session().page().kind);
   bench_.click("answer:one:5");
   bench_.type("3");
-  EXPECT_EQ(bench_.session().answers()[0], 5);
-  EXPECT_EQ(bench_.session().answers()[1], 3);
+  EXPECT_EQ(bench_.session().answers()[0].value, 5);
+  EXPECT_EQ(bench_.session().answers()[1].value, 3);
 }
 
 TEST_F(ByKeyboard, TheCameraTurnsTiltsMovesAndComesCloser) {

@@ -46,7 +46,7 @@ double picture() {
 
 TEST(LongPages, ThreeQuestionsFitAboveTheButton) {
   SessionBench bench("en", 1, study_text(3));
-  ASSERT_TRUE(play_to(bench, PageKind::rating));
+  ASSERT_TRUE(play_to(bench, PageKind::questionnaire));
   const WidgetMap& widgets = bench.view().widgets();
   const float button = widgets.find("press", "continue")->box.y;
   for (int k = 0; k < 3; ++k) {
@@ -58,7 +58,7 @@ TEST(LongPages, ThreeQuestionsFitAboveTheButton) {
 
 TEST(LongPages, ManyQuestionsScrollWithTheWheel) {
   SessionBench bench("en", 1, study_text(9));
-  ASSERT_TRUE(play_to(bench, PageKind::rating));
+  ASSERT_TRUE(play_to(bench, PageKind::questionnaire));
   const WidgetMap& widgets = bench.view().widgets();
   const float button = widgets.find("press", "continue")->box.y;
   EXPECT_FALSE(widgets.find("press", item(8, 1))->visible());
@@ -70,13 +70,13 @@ TEST(LongPages, ManyQuestionsScrollWithTheWheel) {
 
 TEST(LongPages, TheTabKeyBringsAQuestionIntoSight) {
   SessionBench bench("en", 1, study_text(9));
-  ASSERT_TRUE(play_to(bench, PageKind::rating));
+  ASSERT_TRUE(play_to(bench, PageKind::questionnaire));
   for (int k = 0; k < 100 && !bench.view().focus().on("press", item(8, 2)); ++k) {
     bench.key(GLFW_KEY_TAB);
   }
   EXPECT_TRUE(bench.view().widgets().find("press", item(8, 2))->visible());
   bench.key(GLFW_KEY_SPACE);
-  EXPECT_EQ(bench.session().answers()[8], 2);
+  EXPECT_EQ(bench.session().answers()[8].value, 2);
 }
 
 TEST(LongPages, TheAutopilotAnswersAllOfThem) {
@@ -134,10 +134,10 @@ TEST(LongPages, WhoeverPressesTooEarlyReadsWhatIsMissing) {
   const double welcome = picture();
   bench.click("continue");
   EXPECT_NE(picture(), welcome);
-  ASSERT_TRUE(play_to(bench, PageKind::rating));
+  ASSERT_TRUE(play_to(bench, PageKind::questionnaire));
   const double rating = picture();
   bench.key(GLFW_KEY_ENTER);
-  EXPECT_EQ(bench.session().page().kind, PageKind::rating);
+  EXPECT_EQ(bench.session().page().kind, PageKind::questionnaire);
   EXPECT_NE(picture(), rating);
 }
 

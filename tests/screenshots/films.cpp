@@ -35,8 +35,8 @@ bool with_interface(const Studio& studio) {
 }
 
 void answer_all(Studio& studio) {
-  for (const study::Rating& rating : studio.bundle().study.ratings) {
-    studio.take(study::SetAnswer{rating.item, 4});
+  for (const study::Item& item : studio.session().questions()->items) {
+    studio.take(study::SetAnswer{item.name, 4.0});
   }
 }
 
@@ -48,7 +48,7 @@ void leave_page(Studio& studio) {
       // Practice runs out of time, so that the next page says so.
       if (studio.planned().practice) return studio.pass(46);
       return studio.take(study::Done{});
-    case PageKind::rating:
+    case PageKind::questionnaire:
       answer_all(studio);
       return studio.take(study::Continue{});
     case PageKind::break_:

@@ -42,7 +42,7 @@ TEST(LoadStudy, ReadsAWholeStudy) {
   EXPECT_EQ(study.tasks[0].targets[0].weights, Eigen::Vector3d(0, 0, 1));
   EXPECT_EQ(study.tasks[0].interfaces, (std::vector<int>{0, 1}));
   EXPECT_EQ(text_in(study.tasks[1].targets[0].quality, "en"), "jolly");
-  EXPECT_EQ(study.ratings[0].points, 7);
+  EXPECT_EQ(study.instruments[0].items[0].most, 7);
   EXPECT_TRUE(bundle.warnings.empty());
 }
 

@@ -258,7 +258,7 @@ TEST(Session, AsksForAllRatingsAndLogsThem) {
   Player player(bundle);
   player.to_trial(0);
   player.at(10, Done{});
-  EXPECT_EQ(player.session.page().kind, PageKind::rating);
+  EXPECT_EQ(player.session.page().kind, PageKind::questionnaire);
   EXPECT_FALSE(player.session.can_continue());
   player.at(20, Continue{});
   player.at(30, SetAnswer{"liked", 8});    // not on the scale

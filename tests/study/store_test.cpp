@@ -48,7 +48,7 @@ void log_session(Store& store, const StudyBundle& bundle, const SessionHeader& h
   toy::Player player(bundle, sequence);
   player.whole_session();
   store.begin_session(header, player.session.plan());
-  for (const Record& record : player.records) store.write(record);
+  store.write(player.records);
   store.end_session("2026-11-22T17:00:00Z");
 }
 
@@ -111,7 +111,7 @@ TEST_F(StoreTest, KeepsHowLongATrialStood) {
   player.at(9'000'000, Done{});
   Store store(file(), bundle);
   store.begin_session(header("P01"), player.session.plan());
-  for (const Record& record : player.records) store.write(record);
+  store.write(player.records);
   store.flush();
   EXPECT_EQ(count("SELECT paused_us FROM trial"), 7'500'000);
   EXPECT_EQ(count("SELECT count(*) FROM event WHERE kind IN ('pause', 'resume') AND "
@@ -156,7 +156,7 @@ TEST_F(StoreTest, GivesTheOrderOfADeclinedSessionAgain) {
   Store store(file(), bundle);
   store.begin_session(header("P01"), make_plan(bundle.study, 0));
   EXPECT_EQ(store.next_sequence(false, false), 1);
-  store.write(SessionEnded{5, Outcome::declined});
+  store.write({SessionEnded{5, Outcome::declined}});
   store.end_session("2026-11-22T17:00:00Z");
   EXPECT_EQ(store.next_sequence(false, false), 0);
 }
@@ -294,7 +294,7 @@ void die_after(const std::string& file, const StudyBundle& bundle, int steps) {
   for (std::int64_t t = 1; t <= steps; ++t) {
     const std::size_t before = player.records.size();
     work(player, t);
-    for (std::size_t i = before; i < player.records.size(); ++i) store.write(player.records[i]);
+    store.write({player.records.begin() + static_cast<std::ptrdiff_t>(before), player.records.end()});
     if (t < steps) store.flush();
   }
   ::kill(::getpid(), SIGKILL);

@@ -1,0 +1,190 @@
+// What leaves the planned order of the pages: practice to a criterion, trials that a guess
+// has won, what the experimenter skips or repeats, and going on after an interruption.
+#include <algorithm>
+
+#include "study/session_steps.h"
+
+namespace promenade::study {
+namespace {
+
+bool opens_trial(const Page& page) {
+  return page.kind == PageKind::instructions || page.kind == PageKind::intro;
+}
+
+// Is it a page of this trial alone: its introduction, itself, the questions about it?
+bool belongs_to(const Study& study, const Page& page, int trial) {
+  if (page.trial != trial) return false;
+  if (page.kind == PageKind::trial || opens_trial(page)) return true;
+  return page.kind == PageKind::questionnaire &&
+         study.questionnaires[static_cast<std::size_t>(page.questionnaire)].when ==
+             Questionnaire::When::trial;
+}
+
+std::size_t opening_page(const Plan& plan, int trial) {
+  const auto found = std::find_if(plan.pages.begin(), plan.pages.end(), [trial](const Page& page) {
+    return page.trial == trial && opens_trial(page);
+  });
+  return static_cast<std::size_t>(found - plan.pages.begin());
+}
+
+constexpr std::string_view policy_words[] = {"continue", "trial", "block"};
+
+}  // namespace
+
+std::string_view to_text(ResumePolicy policy) {
+  return policy_words[static_cast<std::size_t>(policy)];
+}
+
+ResumePolicy resume_policy_of(std::string_view word) {
+  const auto found = std::find(std::begin(policy_words), std::end(policy_words), word);
+  return found == std::end(policy_words)
+             ? ResumePolicy::continue_
+             : static_cast<ResumePolicy>(found - std::begin(policy_words));
+}
+
+void Session::Steps::go_to(std::size_t page, std::int64_t t_us) {
+  session.page_ = page;
+  pass_won_trials();
+  open_page(t_us);
+}
+
+void Session::Steps::leave_trial(std::int64_t t_us) {
+  const int trial = session.page().trial;
+  if (repeat_practice(t_us)) return;
+  const std::vector<Page>& pages = session.plan_.pages;
+  std::size_t next = session.page_ + 1;
+  while (belongs_to(session.bundle_->study, pages[next], trial)) ++next;
+  go_to(next, t_us);
+}
+
+const InterfaceState* Session::Steps::guess_of(int trial) const {
+  const std::vector<PlannedTrial>& trials = session.plan_.trials;
+  const PlannedTrial& asked = trials[static_cast<std::size_t>(trial)];
+  const int guess = task_of(session.bundle_->study, asked).start_guess;
+  if (guess < 0) return nullptr;
+  for (const auto& [index, state] : session.guesses_) {
+    const PlannedTrial& guessed = trials[static_cast<std::size_t>(index)];
+    if (guessed.task == guess && guessed.interface == asked.interface &&
+        guessed.target == asked.target && guessed.practice == asked.practice) {
+      return state.get();
+    }
+  }
+  return nullptr;
+}
+
+bool Session::Steps::guess_wins(int trial) const {
+  return guess_of(trial) != nullptr && below_threshold(fresh_trial(trial, input.t_us));
+}
+
+// There is nothing to introduce.
+void Session::Steps::pass_won_trials() {
+  const Page& page = session.plan_.pages[session.page_];
+  if (opens_trial(page) && guess_wins(page.trial)) ++session.page_;
+}
+
+// Practice that is not good enough begins anew, a few times. What has no threshold is good
+// when it was done.
+bool Session::Steps::repeat_practice(std::int64_t t_us) {
+  const Practice& rule = session.bundle_->study.practice;
+  const std::vector<PlannedTrial>& trials = session.plan_.trials;
+  const Page& page = session.page();
+  if (rule.until != Practice::Until::criterion || page.trial < 0) return false;
+  const PlannedTrial& last = trials[static_cast<std::size_t>(page.trial)];
+  const auto with_it = [&last](const PlannedTrial& trial) {
+    return trial.practice && trial.block == last.block;
+  };
+  const std::size_t next = static_cast<std::size_t>(page.trial) + 1;
+  const bool goes_on = next < trials.size() && with_it(trials[next]);
+  if (!last.practice || goes_on || !belongs_to(session.bundle_->study, page, page.trial)) {
+    return false;
+  }
+  int first = page.trial, wanted = 0, good = 0;
+  for (int i = page.trial; i >= 0 && with_it(trials[static_cast<std::size_t>(i)]); --i) {
+    first = i;
+    ++wanted;
+    const bool free =
+        !task_of(session.bundle_->study, trials[static_cast<std::size_t>(i)]).threshold_m;
+    const auto outcome = session.outcomes_.find(i);
+    if (outcome == session.outcomes_.end()) continue;
+    good += outcome->second == TrialOutcome::success ||
+            (free && outcome->second == TrialOutcome::done);
+  }
+  const bool enough = good >= std::min(rule.successes, wanted);
+  const bool over = enough || ++session.practice_rounds_ >= rule.most_rounds;
+  Event& event = log_system(over ? "practice_over" : "practice_again", t_us);
+  event.value = good;
+  event.target = enough ? "criterion" : "rounds";
+  if (over) session.practice_rounds_ = 0;
+  if (over) return false;
+  for (int i = first; i <= page.trial; ++i) supersede(i, t_us);
+  go_to(opening_page(session.plan_, first), t_us);
+  return true;
+}
+
+void Session::Steps::supersede(int trial, std::int64_t t_us) {
+  if (session.attempts_[static_cast<std::size_t>(trial)] == 0) return;
+  records.emplace_back(TrialSuperseded{trial, t_us});
+  session.guesses_.erase(trial);
+  session.outcomes_.erase(trial);
+}
+
+void Session::Steps::repeat(bool block) {
+  const std::vector<PlannedTrial>& trials = session.plan_.trials;
+  const int last = session.last_begun_;
+  if (last < 0) return;
+  if (session.trial_) end_trial(input.t_us, TrialOutcome::aborted);
+  session.just_ended_.reset();
+  int first = last;
+  const auto block_of = [&trials](int trial) {
+    return trials[static_cast<std::size_t>(trial)].block;
+  };
+  while (block && first > 0 && block_of(first - 1) == block_of(last)) --first;
+  for (int i = first; i <= last; ++i) supersede(i, input.t_us);
+  go_to(opening_page(session.plan_, first), input.t_us);
+}
+
+void Session::Steps::act(const Note& note) { log("note").detail = json_text("text", note.text); }
+
+void Session::Steps::act(const Release&) {
+  if (session.page().kind != PageKind::release) return;
+  log("release");
+  next_page(input.t_us);
+}
+
+void Session::Steps::act(const Skip& skip) {
+  const Page& page = session.page();
+  const bool in_trial = page.kind == PageKind::trial || opens_trial(page);
+  const bool between = page.kind == PageKind::questionnaire || page.kind == PageKind::release ||
+                       page.kind == PageKind::break_;
+  if (!in_trial && !between) return;
+  log("skip").detail = json_text("reason", skip.reason);
+  emit_answers();
+  if (between) return next_page(input.t_us);
+  if (!session.trial_) begin_trial(input.t_us);
+  end_trial(input.t_us, TrialOutcome::skipped);
+  leave_trial(input.t_us);
+}
+
+void Session::Steps::act(const Repeat& what) {
+  if (session.last_begun_ < 0) return;
+  Event& event = log("repeat");
+  event.target = what.block ? "block" : "trial";
+  event.detail = json_text("reason", what.reason);
+  repeat(what.block);
+}
+
+// Between two blocks, and at questions about all of one, nothing is begun anew.
+void Session::Steps::act(const Interrupted& gap) {
+  Event& event = log("interrupted");
+  event.value = 1e-6 * static_cast<double>(gap.gap_us);
+  event.target = to_text(gap.policy);
+  const Page& page = session.page();
+  const bool within = belongs_to(session.bundle_->study, page, page.trial) && page.trial >= 0;
+  if (gap.policy == ResumePolicy::redo_trial && session.trial_) return repeat(false);
+  if (gap.policy == ResumePolicy::redo_block && within) return repeat(true);
+  if (session.paused() || session.ended()) return;
+  end_gesture();
+  session.paused_since_us_ = input.t_us;
+}
+
+}  // namespace promenade::study

@@ -1,0 +1,50 @@
+// A session as it stands in a database, read back in the order in which it was written: what
+// a replay, an audit and a resume are made of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/session.h"
+
+namespace promenade::study {
+
+class Database;
+
+struct LoggedTrial {
+  std::string uuid;
+  int position = 0;  // in the plan, from 1
+  int attempt = 1;
+  bool superseded = false;
+  std::string task, interface, target;
+  std::int64_t started_us = 0;
+  std::string outcome;  // empty: it has not ended
+  std::optional<double> d_first;
+  TrialEnded ended;  // as stored; outcome apart
+};
+
+// A row of `event` or of `sample`; of a sample only what was shown is known.
+struct LoggedStep {
+  bool sample = false;
+  int trial = -1;  // index into LoggedSession::trials; -1: outside trials
+  Event event;     // its `trial` is not set
+  Sample shown;    // its `trial` is not set
+};
+
+struct LoggedSession {
+  std::string uuid, study_uuid, participant, station, language, outcome, started_utc;
+  bool simulated = false, pilot = false;
+  int sequence = 0;
+  std::uint64_t seed = 0;
+  std::vector<LoggedTrial> trials;  // by start; a repeated trial stands once an attempt
+  std::vector<LoggedStep> steps;    // in the order of the log
+  std::int64_t last_seq = 0, last_us = 0;
+};
+
+// Throws InputError when there is no such session, or its rows are damaged.
+LoggedSession read_session(Database& database, const std::string& uuid);
+
+// The uuids of all sessions, by start.
+std::vector<std::string> session_uuids(Database& database);
+
+}  // namespace promenade::study

@@ -1,0 +1,17 @@
+// A study out of a database that holds its sessions: its text, the files that it names and
+// the very motions, whatever has become of the files since.
+#pragma once
+
+#include "study/study.h"
+
+namespace promenade::study {
+
+class Database;
+
+// Throws InputError when the database does not hold it whole, or this program cannot read
+// it any more. Its hash may differ from the stored one when the texts or the interfaces of
+// the program have changed; `sha256` is the stored one.
+StudyBundle read_stored_study(Database& database, const std::string& study_uuid,
+                              const InterfaceRegistry& registry);
+
+}  // namespace promenade::study
