@@ -11,6 +11,9 @@
 
 namespace promenade::study {
 
+// Of the ends of scales and scores.
+inline constexpr double largest_number = 1e6;
+
 // read_local_text, where a language that is there must not be empty.
 LocalText read_words(const TomlTable& table, std::string_view key,
                      const std::vector<std::string>& languages);

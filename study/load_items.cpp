@@ -16,7 +16,6 @@ constexpr std::size_t most_items = 200;
 constexpr std::size_t most_choices = 50;
 constexpr std::size_t most_paired = 15;  // names: 105 pairs
 constexpr int most_steps = 100;
-constexpr double largest_number = 1e6;
 constexpr double smallest_step = 0.001;
 constexpr int longest_text = 10'000;
 

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "motion/did_you_mean.h"
@@ -103,8 +102,8 @@ void add_weighted(const TomlTable& table, const Instrument& instrument, Score& s
 void read_range(const TomlTable& table, Score& score) {
   if (!table.has("range")) return;
   const std::vector<double> ends = table.numbers("range");
-  const bool good =
-      ends.size() == 2 && std::isfinite(ends[0]) && std::isfinite(ends[1]) && ends[0] < ends[1];
+  const bool good = ends.size() == 2 && ends[0] >= -largest_number && ends[1] <= largest_number &&
+                    ends[0] < ends[1];
   if (good) {
     score.range = ValueRange{ends[0], ends[1]};
   } else {
