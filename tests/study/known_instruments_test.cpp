@@ -134,6 +134,16 @@ TEST(NasaTlx, WeighsEachScaleByItsPairs) {
   EXPECT_EQ(scored("nasa-tlx", "weighted", std::vector<double>(6, 100), order), 100);
 }
 
+TEST(NasaTlx, HasNoWeightedScoreWithoutEveryPair) {
+  const Instrument tlx = known("nasa-tlx");
+  const Score& weighted = score_named(tlx, "weighted");
+  std::vector<ItemAnswer> answers = answers_of(tlx, loads);
+  EXPECT_TRUE(score_of(tlx, weighted, answers));
+  answers.back() = {};
+  EXPECT_FALSE(score_of(tlx, weighted, answers));
+  EXPECT_TRUE(score_of(tlx, score_named(tlx, "raw"), answers));
+}
+
 TEST(NasaTlx, HasFifteenPairsAndTwentyOneSteps) {
   const Instrument tlx = known("nasa-tlx");
   EXPECT_EQ(std::count_if(tlx.items.begin(), tlx.items.end(), [](const Item& i) { return i.pair; }),
