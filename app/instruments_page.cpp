@@ -9,7 +9,6 @@ namespace {
 
 using study::Instrument;
 using study::Item;
-using study::ItemKind;
 
 // "6 scale, 15 pairs": how many of each sort, in the order in which they first come.
 std::string items_text(const Instrument& instrument) {

@@ -55,7 +55,7 @@ void read_number(const TomlTable& table, Item& item) {
   for (const char* key : {"least", "most"}) table.require(key);
   item.least = table.number("least", -largest_number, largest_number).value_or(0);
   item.most = table.number("most", -largest_number, largest_number).value_or(item.least + 1);
-  if (item.least >= item.most) table.error("most", "\"most\" must be above \"least\"");
+  if (item.least >= item.most) table.error("most", R"("most" must be above "least")");
 }
 
 Choice read_choice(const TomlTable& table, const Languages& languages) {

@@ -53,7 +53,7 @@ std::string trouble_with(const std::string& name, const Instrument& instrument,
            did_you_mean(name, names_of_numbers(instrument));
   }
   if (!has_number(*item)) {
-    return fmt::format("\"{}\" is of kind \"{}\", which is no number to be scored", name,
+    return fmt::format(R"("{}" is of kind "{}", which is no number to be scored)", name,
                        to_text(item->kind));
   }
   const bool again = std::any_of(score.items.begin(), score.items.end(),
@@ -90,7 +90,7 @@ void add_weighted(const TomlTable& table, const Instrument& instrument, Score& s
   for (const std::string& name : keys) {
     const bool known = std::binary_search(names.begin(), names.end(), name);
     if (!known && table.reader().whole()) {
-      table.error(name, "no item of kind \"choice\" and no pair offers \"" + name + "\"" +
+      table.error(name, R"(no item of kind "choice" and no pair offers ")" + name + "\"" +
                             did_you_mean(name, names));
     }
     ScoreItem like;
@@ -115,7 +115,7 @@ void refuse_for_sums(const TomlTable& table, const Score& score) {
   if (score.mean) return;
   for (const char* key : {"range", "weighted"}) {
     if (table.has(key)) {
-      table.error(key, fmt::format("\"{}\" is for means; leave out \"combine\"", key));
+      table.error(key, fmt::format(R"("{}" is for means; leave out "combine")", key));
     }
   }
 }
