@@ -106,6 +106,11 @@ Database::~Database() { sqlite3_close_v2(handle_); }
 Database::Database(Database&& other) noexcept
     : file_(std::move(other.file_)), handle_(std::exchange(other.handle_, nullptr)) {}
 
+bool Database::is_in_memory() const {
+  const char* place = sqlite3_db_filename(handle_, "main");
+  return place == nullptr || *place == '\0';
+}
+
 void Database::exec(const std::string& sql) {
   char* message = nullptr;
   const int code = sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, &message);

@@ -37,6 +37,7 @@ class Database {
 
   void exec(const std::string& sql);  // one or several statements without results
   const std::string& file() const { return file_; }
+  bool is_in_memory() const;
   sqlite3* handle() const { return handle_; }
 
  private:
