@@ -111,7 +111,7 @@ TEST_F(MergeTest, CarriesEveryVersionOfAnAmendedStudy) {
   fs::copy(file("a.db"), file("b.db"));
   change("b.db",
          "INSERT INTO study SELECT 'new', name, '2', config_text, 'new hash', program_version, "
-         "created_utc, motion_set FROM study; INSERT INTO study_part VALUES('new', 'x.csv', 'x');"
+         "created_utc, motion_set FROM study; INSERT INTO study_part VALUES('new', 'x.csv', x'78');"
          "INSERT INTO amendment SELECT 'new', uuid, 'a typo', 'today' FROM study WHERE uuid <> "
          "'new'; INSERT INTO participant VALUES('p9', 'P09');"
          "INSERT INTO session SELECT 's9', 'new', 'p9', station, seed, 9, language, started_utc, "
@@ -142,7 +142,7 @@ TEST_F(MergeTest, RefusesOnePersonWithTwoCodes) {
 
 TEST_F(MergeTest, RefusesASessionThatIsNotTheSame) {
   toy::make_station(file("a.db"), {"P01"});
-  const char* changes[] = {"UPDATE trial SET d_final = d_final + 1e-15 WHERE position = 3",
+  const char* changes[] = {"UPDATE trial SET d_final = d_final + 1e-15 WHERE d_final > 0",
                            "DELETE FROM sample WHERE rowid = 2",
                            "UPDATE event SET value = 9 WHERE seq = 7",
                            "UPDATE answer SET value = 1 WHERE rowid = 1",
