@@ -40,6 +40,7 @@ class Player {
                 queue_),
         gui_(make_palette(setting.bundle.study.display.paper_colours), shown_words(setting.bundle)),
         live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
+    queue_.watch(setting.watch_input);
     fit();
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
                                           view_options());
