@@ -111,7 +111,8 @@ void print(const Findings& findings, const Script& script) {
   const Matching& all = findings.matching;
   const SessionResult& frames = findings.session;
   print_text(fmt::format(
-      "injected {} events, {:.0f} a second; arrived {}, lost {}, foreign or out of order {}\n"
+      "injected {} events, {:.0f} a second; arrived {}\n"
+      "lost {} ({} moves, {} of the button, {} of keys), foreign or out of order {}\n"
       "presses sent {}, in the database {}\n"
       "error of the stamps: {}\n"
       "their uncertainty: {}\n"
@@ -119,15 +120,15 @@ void print(const Findings& findings, const Script& script) {
       "frames: every {:.1f} ms in the middle, {:.1f} ms at the 99th percentile; drawn in {:.1f} "
       "and {:.1f} ms\n"
       "load of the machine: {}\n",
-      script.events, script.per_second, all.error_us.size(), all.lost, all.foreign,
-      findings.presses_sent, findings.presses_stored, quantiles(all.error_us),
-      quantiles(all.uncertainty_us), share(all.within(), all.error_us.size()),
-      share(all.within(200), all.error_us.size()), frames.frame_median, frames.frame_p99,
-      frames.work_median, frames.work_p99, findings.load));
+      script.events, script.per_second, all.error_us.size(), all.lost(), all.lost_of_kind[0],
+      all.lost_of_kind[1], all.lost_of_kind[2], all.foreign, findings.presses_sent,
+      findings.presses_stored, quantiles(all.error_us), quantiles(all.uncertainty_us),
+      share(all.within(), all.error_us.size()), share(all.within(200), all.error_us.size()),
+      frames.frame_median, frames.frame_p99, frames.work_median, frames.work_p99, findings.load));
 }
 
 bool complete(const Findings& findings) {
-  return findings.matching.lost == 0 && findings.matching.foreign == 0 &&
+  return findings.matching.lost() == 0 && findings.matching.foreign == 0 &&
          findings.presses_stored == findings.presses_sent;
 }
 

@@ -12,9 +12,15 @@ bool same(const Injected& one, const UiEvent& other) {
     case Injected::Kind::button:
       return other.kind == UiEvent::Kind::button && other.down == one.down;
     case Injected::Kind::key:
-      return other.kind == UiEvent::Kind::key && other.down == one.down;
+      return other.kind == UiEvent::Kind::key && other.down == one.down && other.code == one.code;
   }
   return false;
+}
+
+using Iterator = std::vector<Injected>::const_iterator;
+
+void count_lost(Iterator first, Iterator end, Matching& matching) {
+  for (; first != end; ++first) ++matching.lost_of_kind[static_cast<std::size_t>(first->kind)];
 }
 
 }  // namespace
@@ -37,12 +43,12 @@ Matching match(const std::vector<Injected>& injected, const std::vector<UiEvent>
       ++matching.foreign;
       continue;
     }
-    matching.lost += found - next;
+    count_lost(next, found, matching);
     matching.error_us.push_back(event.t_us - found->t_us);
     matching.uncertainty_us.push_back(event.uncertainty_us);
     next = found + 1;
   }
-  matching.lost += injected.end() - next;
+  count_lost(next, injected.end(), matching);
   return matching;
 }
 

@@ -12,7 +12,7 @@ UiEvent came(int x, std::int64_t t_us, std::int64_t uncertainty_us = 0) {
 
 TEST(Matching, EachEventMeetsTheOneThatWasSent) {
   const Matching all = match({sent(1, 100), sent(2, 200)}, {came(1, 130), came(2, 205)});
-  EXPECT_EQ(all.lost, 0);
+  EXPECT_EQ(all.lost(), 0);
   EXPECT_EQ(all.foreign, 0);
   EXPECT_EQ(all.error_us, (std::vector<std::int64_t>{30, 5}));
 }
@@ -20,14 +20,14 @@ TEST(Matching, EachEventMeetsTheOneThatWasSent) {
 TEST(Matching, ALostEventIsCountedAndShiftsNoOther) {
   const Matching all =
       match({sent(1, 100), sent(2, 200), sent(3, 300), sent(4, 400)}, {came(1, 130), came(3, 310)});
-  EXPECT_EQ(all.lost, 2);
+  EXPECT_EQ(all.lost(), 2);
   EXPECT_EQ(all.error_us, (std::vector<std::int64_t>{30, 10}));
 }
 
 TEST(Matching, AnEventOutOfOrderIsForeign) {
   const Matching all = match({sent(1, 100), sent(2, 200)}, {came(2, 205), came(1, 210)});
   EXPECT_EQ(all.foreign, 1);
-  EXPECT_EQ(all.lost, 1);
+  EXPECT_EQ(all.lost(), 1);
 }
 
 TEST(Matching, PressesAndReleasesAreNotMixedUp) {
