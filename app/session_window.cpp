@@ -61,11 +61,11 @@ class Player {
   SessionResult play() {
     open_examples();
     warm_up();
-    const FrameTimes times = run_frames(
-        window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
-                  .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
-                  .shown = [this](std::int64_t t, std::int64_t late) { view_->shown(t, late); },
-                  .ended = [this] { return ended(); }});
+    const FrameTimes times =
+        run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
+                             .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
+                             .shown = [this](const ShownFrame& frame) { view_->shown(frame); },
+                             .ended = [this] { return ended(); }});
     if (live_.failure()) throw OutsideError(*live_.failure());
     return {.outcome = live_.session().outcome(),
             .recorded = live_.recorded(),
