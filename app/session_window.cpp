@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/autopilot.h"
+#include "app/doctor/doctor.h"
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
@@ -15,7 +16,7 @@
 namespace promenade::app {
 namespace {
 
-study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
+study::SessionHeader header_of(const SessionSetting& setting, const Json& machine) {
   study::SessionHeader header;
   header.started_utc = study::utc_now();
   header.station = setting.station;
@@ -23,8 +24,6 @@ study::SessionHeader header_of(const SessionSetting& setting, const Window& wind
       setting.language.empty() ? setting.bundle.study.languages.front() : setting.language;
   header.simulated = setting.autopilot.has_value();
   header.pilot = setting.pilot;
-  Json machine = Json::parse(window.description());
-  machine["program"] = "promenade";
   header.machine = machine.dump();
   return header;
 }
@@ -39,9 +38,9 @@ class Player {
                  .screen = setting.bundle.study.display.screen},
                 queue_),
         gui_(make_palette(setting.bundle.study.display.paper_colours), shown_words(setting.bundle)),
-        live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
+        machine_(describe_machine()),
+        live_(make_session(setting, store), store, header_of(setting, machine_), monotonic_us()) {
     queue_.watch(setting.watch_input);
-    fit();
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
                                           view_options());
     if (setting.autopilot) {
@@ -86,6 +85,17 @@ class Player {
   ViewOptions view_options() const {
     return {setting_.language, setting_.participant, setting_.pilot,
             setting_.autopilot.has_value()};
+  }
+
+  // A simulated participant is there to try the program, not the machine.
+  Json describe_machine() {
+    fit();
+    Json machine = Json::parse(window_.description());
+    machine["program"] = "promenade";
+    if (setting_.autopilot) return machine;
+    const Canvas canvas{window_, gui_, gui_renderer_, renderer_};
+    machine["doctor"] = to_json(quick_doctor(canvas, setting_.bundle, setting_.database));
+    return machine;
   }
 
   void fit() {
@@ -174,6 +184,7 @@ class Player {
   Gui gui_;
   GuiRenderer gui_renderer_;
   FigureRenderer renderer_;
+  Json machine_;  // before the session, whose time begins after it was measured
   LiveSession live_;
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;
