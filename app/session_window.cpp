@@ -95,6 +95,7 @@ class Player {
     if (setting_.autopilot) return machine;
     const Canvas canvas{window_, gui_, gui_renderer_, renderer_};
     machine["doctor"] = to_json(quick_doctor(canvas, setting_.bundle, setting_.database));
+    queue_.forget_presses();  // no page was there yet
     return machine;
   }
 

@@ -40,6 +40,9 @@ class InputQueue {
   // Is told of every event from now on, as it arrives: for measurements.
   void watch(std::function<void(const UiEvent&)> watcher) { watcher_ = std::move(watcher); }
 
+  // What was done to buttons and keys until now goes nowhere; the pointer stays where it is.
+  void forget_presses();
+
   // Hands events to Dear ImGui, up to and including one change of a button or a
   // key: two in one frame would be lost. Call it before ImGui::NewFrame.
   void feed(ImGuiIO& io);
