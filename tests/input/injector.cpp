@@ -113,14 +113,14 @@ int inject(const Script& script, std::span<Injected> events) {
     sleep_ms(100);
   }
   Hand hand(display.get());
-  sleep_ms(3000);
+  sleep_ms(5000);  // the session looks at the machine first
   for (const Place& place : script.clicks_first) {
     hand.click(place);
     sleep_ms(800);
   }
   hand.point({left + wide / 2, top + high + 1});
   perform(hand, script, events);
-  sleep_ms(1500);
+  sleep_ms(5000);  // each frame takes one change of a button or key: let them all be taken
   return 0;
 }
 
