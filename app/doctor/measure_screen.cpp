@@ -83,6 +83,7 @@ void measure_screen(const Canvas& canvas, const study::StudyBundle& bundle, cons
   Walkers walkers(canvas, bundle, test.caption);
   ScreenTest first = test;
   first.frames = first_frames;
+  first.longest_s = 0.3;
   show(canvas, walkers, first);
   let_renderer_threads_idle();
   InputFinding input;

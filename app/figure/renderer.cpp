@@ -70,7 +70,7 @@ struct FigureRenderer::Objects {
   // One for each ground of a frame: a texture that is still to be drawn from would have to
   // be waited for before it takes the next shadow.
   std::vector<GLuint> shadows;
-  std::size_t grounds = 0;         // of this frame
+  std::size_t grounds = 0;   // of this frame
   std::vector<Part> sorted;  // kept, so that a frame allocates nothing
   std::vector<PartQuad> quads;
 };

@@ -83,14 +83,15 @@ class Hand {
   bool button_down_ = false, key_down_ = false;
 };
 
-// One in twenty is the button, one in twenty a key; the rest moves the pointer.
+// One in fifty is the button, one in fifty a key: a frame takes one change of them, and a
+// slow machine shows few. The rest moves the pointer.
 void perform(Hand& hand, const Script& script, std::span<Injected> events) {
   study::Rng rng(1, 1, "injector");
   auto due_us = static_cast<double>(monotonic_us());
   for (int k = 0; k < script.events; ++k) {
     due_us += -std::log(1 - rng.uniform()) * 1e6 / script.per_second;
     sleep_until(static_cast<std::int64_t>(due_us));
-    const auto choice = rng.below(20);
+    const auto choice = rng.below(50);
     events[static_cast<std::size_t>(k)] = choice == 0   ? hand.button()
                                           : choice == 1 ? hand.key()
                                                         : hand.move(k);
