@@ -6,6 +6,8 @@ import unittest
 
 from program import PROMENADE, ProgramTest
 
+TIDYING = 5  # of xvfb-run: it could not tidy up after itself
+
 
 class Doctor(ProgramTest):
     def on_a_virtual_display(self, *arguments):
@@ -27,7 +29,7 @@ class Doctor(ProgramTest):
         result = self.on_a_virtual_display("--json", "--seconds", "1.5")
         report = json.loads(result.stdout)
         # Whether frames come in time depends on what else runs here.
-        self.assertEqual(result.returncode, 0 if report["fit"] else 1, result.stderr)
+        self.assertIn(result.returncode, [0 if report["fit"] else 1, TIDYING], result.stderr)
         checks = {check["name"]: check for check in report["checks"]}
         self.assertEqual(list(checks), ["display", "renderer", "frames", "input", "disk", "fonts",
                                         "clock"])
@@ -41,7 +43,8 @@ class Doctor(ProgramTest):
     def test_for_people_each_check_is_a_line(self):
         result = self.on_a_virtual_display("--seconds", "1")
         lines = result.stdout.splitlines()
-        self.assertEqual(len(lines), 8 if result.returncode == 0 else 7, result.stdout)
+        fit = "not fit" not in result.stderr
+        self.assertEqual(len(lines), 8 if fit else 7, result.stdout)
         self.assertRegex(lines[0], r"^WARNING +display +1280 x 720 pixels")
 
     def test_wrong_options_are_input_errors(self):
