@@ -1,6 +1,7 @@
 #include "app/live_session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "study/identity.h"
 #include "study/replay.h"
@@ -106,8 +107,26 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
 
 void LiveSession::write(const std::vector<Record>& records) {
   unwritten_ = unwritten_ || !records.empty();
+  for (const Record& record : records) hand_over_frames(record);
   store_.write(records);
   if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
+}
+
+void LiveSession::count(const ShownFrame& frame) {
+  study::FrameHistogram& frames = session_.trial() != nullptr ? trial_frames_ : other_frames_;
+  if (frame.interval_us > 0) frames.interval.add(frame.interval_us);
+  frames.work.add(frame.work_us);
+}
+
+// Before the record, so that they share its durable commit.
+void LiveSession::hand_over_frames(const Record& record) {
+  if (const auto* ended = std::get_if<study::TrialEnded>(&record)) {
+    const study::FrameHistogram frames = std::exchange(trial_frames_, {});
+    if (keep_frames_) keep_frames_(ended->trial, frames);
+  } else if (std::holds_alternative<study::SessionEnded>(record)) {
+    const study::FrameHistogram frames = std::exchange(other_frames_, {});
+    if (keep_frames_) keep_frames_(-1, frames);
+  }
 }
 
 void LiveSession::flush(std::int64_t now_us) {

@@ -235,14 +235,15 @@ void SessionView::resume(const std::string& uuid, std::int64_t now_us) {
   speak(live_.language());
 }
 
-void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
+void SessionView::shown(const ShownFrame& frame) {
   shown_before_us_ = shown_us_;
-  shown_us_ = shown_us;
-  if (late_us > 0 && live_.session().trial() != nullptr) {
-    live_.take(study::LateFrame{late_us}, {.t_us = shown_us, .frame_us = shown_us},
+  shown_us_ = frame.shown_us;
+  live_.count(frame);
+  if (frame.late_us > 0 && live_.session().trial() != nullptr) {
+    live_.take(study::LateFrame{frame.late_us}, {.t_us = shown_us_, .frame_us = shown_us_},
                study::Actor::system);
   }
-  live_.flush(shown_us);
+  live_.flush(shown_us_);
 }
 
 void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {

@@ -78,6 +78,7 @@ CREATE TABLE answer(
 CREATE INDEX answer_by_session ON answer(session);
 CREATE TABLE frame_histogram(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
+  measure TEXT NOT NULL CHECK (measure IN ('interval','work')),
   least_us INTEGER NOT NULL, count INTEGER NOT NULL
 ) STRICT;
 CREATE INDEX frame_histogram_by_session ON frame_histogram(session);

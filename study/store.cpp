@@ -417,6 +417,21 @@ void Store::write(const std::vector<Record>& step) {
   own.ended.clear();
 }
 
+void Store::write_frames(int trial, const FrameHistogram& frames) {
+  Implementation& own = *implementation_;
+  own.begin();
+  Statement insert(own.database, "INSERT INTO frame_histogram VALUES (?,?,?,?,?)");
+  const auto put = [&](const char* measure, const TimeHistogram& times) {
+    for (const TimeHistogram::Row& row : times.rows()) {
+      insert.bind(1, own.session).bind(3, measure).bind(4, row.least_us).bind(5, row.count);
+      own.bind_trial(insert, 2, trial);
+      insert.run();
+    }
+  };
+  put("interval", frames.interval);
+  put("work", frames.work);
+}
+
 void Store::flush() { implementation_->commit(); }
 
 void Store::end_session(const std::string& ended_utc) {

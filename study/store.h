@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "study/frame_histogram.h"
 #include "study/session.h"
 #include "study/session_log.h"
 
@@ -82,6 +83,8 @@ class Store {
   // TakenError when another process goes on with it already.
   void resume_session(const LoggedSession& session, const Plan& plan);
   void write(const std::vector<Record>& step);
+  // How the frames of a trial (an index into Plan::trials; -1: outside) were shown.
+  void write_frames(int trial, const FrameHistogram& frames);
   void flush();
   void end_session(const std::string& ended_utc);
 

@@ -17,7 +17,7 @@ ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", 
        "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
        "model", "graph", "stats"]
 LATER = ["roster", "pack", "prereg", "amend", "withdraw", "monitor", "export", "replay", "merge",
-         "power", "doctor", "graph"]
+         "power", "graph"]
 
 
 class Commands(ProgramTest):
