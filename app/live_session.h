@@ -31,9 +31,11 @@ class LiveSession {
               std::int64_t began_us);
 
   // Goes on with a session that was interrupted, by the policy of its study; before anything
-  // of this one is recorded. False: another process does so already. `bundle` and `registry`
-  // are those of this session.
-  bool resume(const std::string& uuid, const study::StudyBundle& bundle,
+  // of this one is recorded. Not where another process does so already, or where the log does
+  // not lead to what is stored: another version of the program wrote it. `bundle` and
+  // `registry` are those of this session.
+  enum class Resumed { yes, taken, differs };
+  Resumed resume(const std::string& uuid, const study::StudyBundle& bundle,
               const study::InterfaceRegistry& registry, std::int64_t now_us);
 
   // Only on the first page. False: the code must be new but is already used, and
@@ -71,6 +73,8 @@ class LiveSession {
  private:
   void write(const std::vector<study::Record>& records);
   bool begin();  // false: the code is used
+  Resumed go_on(const std::string& uuid, const study::StudyBundle& bundle,
+                const study::InterfaceRegistry& registry, std::int64_t now_us);
   void hand_over_frames(const study::Record& record);
   template <typename Work>
   void guard(const Work& work);

@@ -59,6 +59,7 @@ class SessionView {
   void take_actions();
   void leave_welcome();
   void resume(const std::string& uuid, std::int64_t now_us);
+  void refuse_offers();
   void speak(const std::string& language);
 
   const study::StudyBundle& bundle_;

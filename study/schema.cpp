@@ -39,7 +39,7 @@ CREATE TABLE session(
   outcome TEXT NOT NULL CHECK (outcome IN ('running','finished','declined','withdrawn','stopped')),
   simulated INTEGER NOT NULL CHECK (simulated IN (0,1)),
   pilot INTEGER NOT NULL CHECK (pilot IN (0,1)), process INTEGER, machine TEXT NOT NULL,
-  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0
+  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0, alive_us INTEGER
 ) STRICT;
 CREATE INDEX session_by_order ON session(simulated, pilot, sequence);
 CREATE TABLE trial(
@@ -73,7 +73,8 @@ CREATE TABLE answer(
   instrument TEXT NOT NULL, version TEXT NOT NULL, item TEXT NOT NULL, value REAL, text TEXT,
   declined INTEGER NOT NULL CHECK (declined IN (0,1)),
   touched INTEGER NOT NULL CHECK (touched IN (0,1)), t_us INTEGER NOT NULL,
-  asked TEXT, block INTEGER, task TEXT, interface TEXT, place INTEGER
+  asked TEXT, about TEXT REFERENCES trial(uuid), block INTEGER, task TEXT, interface TEXT,
+  place INTEGER
 ) STRICT;
 CREATE INDEX answer_by_session ON answer(session);
 CREATE TABLE frame_histogram(

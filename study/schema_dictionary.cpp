@@ -54,6 +54,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"session", "machine", "JSON", "machine, display and program on which it ran"},
     {"session", "process_start", "",
      "when that process was started, in ticks of its boot, to tell it from a later one of that id"},
+    {"session", "alive_us", "us",
+     "until when the program is known to have lived, once a second, since the session began"},
     {"session", "resumed", "", "how often the session went on after an interruption"},
     {"trial", "uuid", "", "identifies the trial"},
     {"trial", "session", "", "session.uuid"},
@@ -124,6 +126,9 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"answer", "touched", "0/1", "1: the person set it; 0: a standard left as it was"},
     {"answer", "t_us", "us", "when it was given, since the session began"},
     {"answer", "asked", "", "when: start, trial, task, block or end"},
+    {"answer", "about", "",
+     "trial.uuid of the last trial of what it is about, which tells an attempt that was superseded; "
+     "null: the whole session"},
     {"answer", "block", "", "the block that it is about; null: the whole session"},
     {"answer", "task", "", "the task that it is about; null: none alone"},
     {"answer", "interface", "", "the interface that it is about; null: none alone"},

@@ -21,8 +21,11 @@ std::string with(const std::string& instrument, const std::string& when) {
 
 void to_questions(Player& player) {
   for (std::int64_t t = 1; player.session.page().kind != PageKind::questionnaire; ++t) {
-    if (player.session.trial()) player.at(t, Done{});
-    player.at(t, Continue{});
+    if (player.session.trial()) {
+      player.at(t, Done{});
+    } else {
+      player.at(t, Continue{});
+    }
   }
 }
 
