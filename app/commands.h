@@ -7,6 +7,7 @@
 
 namespace promenade::app {
 
+void add_doctor_command(CLI::App& program);
 void add_set_command(CLI::App& program);
 void add_motion_command(CLI::App& program);
 void add_check_command(CLI::App& program);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/autopilot.h"
+#include "app/doctor/doctor.h"
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
@@ -15,7 +16,7 @@
 namespace promenade::app {
 namespace {
 
-study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
+study::SessionHeader header_of(const SessionSetting& setting, const Json& machine) {
   study::SessionHeader header;
   header.started_utc = study::utc_now();
   header.station = setting.station;
@@ -23,8 +24,6 @@ study::SessionHeader header_of(const SessionSetting& setting, const Window& wind
       setting.language.empty() ? setting.bundle.study.languages.front() : setting.language;
   header.simulated = setting.autopilot.has_value();
   header.pilot = setting.pilot;
-  Json machine = Json::parse(window.description());
-  machine["program"] = "promenade";
   header.machine = machine.dump();
   return header;
 }
@@ -39,8 +38,12 @@ class Player {
                  .screen = setting.bundle.study.display.screen},
                 queue_),
         gui_(make_palette(setting.bundle.study.display.paper_colours), shown_words(setting.bundle)),
-        live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
-    fit();
+        machine_(describe_machine()),
+        live_(make_session(setting, store), store, header_of(setting, machine_), monotonic_us()) {
+    queue_.watch(setting.watch_input);
+    live_.keep_frames([&store](int trial, const study::FrameHistogram& frames) {
+      store.write_frames(trial, frames);
+    });
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
                                           view_options(store));
     if (setting.autopilot) {
@@ -60,11 +63,11 @@ class Player {
   SessionResult play() {
     open_examples();
     warm_up();
-    const FrameTimes times = run_frames(
-        window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
-                  .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
-                  .shown = [this](std::int64_t t, std::int64_t late) { view_->shown(t, late); },
-                  .ended = [this] { return ended(); }});
+    const FrameTimes times =
+        run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
+                             .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
+                             .shown = [this](const ShownFrame& frame) { view_->shown(frame); },
+                             .ended = [this] { return ended(); }});
     if (live_.failure()) throw OutsideError(*live_.failure());
     return {.outcome = live_.session().outcome(),
             .recorded = live_.recorded(),
@@ -92,6 +95,18 @@ class Player {
       if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
     }
     return options;
+  }
+
+  // A simulated participant is there to try the program, not the machine.
+  Json describe_machine() {
+    fit();
+    Json machine = Json::parse(window_.description());
+    machine["program"] = "promenade";
+    if (setting_.autopilot) return machine;
+    const Canvas canvas{window_, gui_, gui_renderer_, renderer_};
+    machine["doctor"] = to_json(quick_doctor(canvas, setting_.bundle, setting_.database));
+    queue_.forget_presses();  // no page was there yet
+    return machine;
   }
 
   void fit() {
@@ -180,6 +195,7 @@ class Player {
   Gui gui_;
   GuiRenderer gui_renderer_;
   FigureRenderer renderer_;
+  Json machine_;  // before the session, whose time begins after it was measured
   LiveSession live_;
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;

@@ -22,6 +22,7 @@ constexpr auto columns_of_2 = std::to_array<Column>({
     {"study", "motion_set", "TEXT REFERENCES motion_set(uuid)"},
     {"session", "process_start", "TEXT"},
     {"session", "resumed", "INTEGER NOT NULL DEFAULT 0"},
+    {"session", "alive_us", "INTEGER"},
     {"trial", "paused_us", "INTEGER"},
     {"trial", "attempt", "INTEGER NOT NULL DEFAULT 1"},
     {"trial", "superseded", "INTEGER NOT NULL DEFAULT 0 CHECK (superseded IN (0,1))"},
@@ -36,6 +37,7 @@ constexpr auto columns_of_2 = std::to_array<Column>({
     {"trial", "camera_moves", "INTEGER"},
     {"sample", "after_seq", "INTEGER"},
     {"answer", "asked", "TEXT"},
+    {"answer", "about", "TEXT REFERENCES trial(uuid)"},
     {"answer", "block", "INTEGER"},
     {"answer", "task", "TEXT"},
     {"answer", "interface", "TEXT"},
@@ -47,7 +49,7 @@ constexpr auto columns_of_2 = std::to_array<Column>({
 constexpr const char* rows_of_2 = R"sql(
 UPDATE study SET motion_set = (SELECT uuid FROM motion_set LIMIT 1);
 UPDATE trial SET paused_us = 0 WHERE paused_us IS NULL AND ended_us IS NOT NULL;
-UPDATE answer SET asked = 'trial', (block, task, interface) =
+UPDATE answer SET asked = 'trial', about = trial, (block, task, interface) =
   (SELECT block, task, interface FROM trial WHERE uuid = answer.trial) WHERE trial IS NOT NULL;
 CREATE INDEX event_by_time ON event(session, t_us, seq);
 UPDATE sample SET after_seq =

@@ -5,7 +5,8 @@
 namespace promenade::study {
 namespace {
 
-// What leads there: the input that was logged, or else that time passed.
+// What leads there: the input that was logged; for a sample that what glides has moved on,
+// and for what the system did by itself that its time had come.
 Input input_at(const LoggedStep& step) {
   if (!step.sample) {
     if (auto input = input_of(step.event)) return *input;
@@ -13,6 +14,7 @@ Input input_at(const LoggedStep& step) {
   Input input;
   input.t_us = step.sample ? step.shown.t_us : step.event.t_us;
   input.actor = Actor::system;
+  if (!step.sample) input.action = Wait{};
   return input;
 }
 
@@ -30,6 +32,13 @@ Session replay(const StudyBundle& bundle, const InterfaceRegistry& registry,
     const std::vector<Record> records = session.step(input_at(step));
     if (stepped) stepped(session, records);
   }
+  // The program lived on for a while.
+  Input end;
+  end.t_us = log.last_us;
+  end.actor = Actor::system;
+  end.action = Wait{};
+  const std::vector<Record> records = session.step(end);
+  if (stepped) stepped(session, records);
   return session;
 }
 

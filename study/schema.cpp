@@ -39,7 +39,7 @@ CREATE TABLE IF NOT EXISTS session(
   outcome TEXT NOT NULL CHECK (outcome IN ('running','finished','declined','withdrawn','stopped')),
   simulated INTEGER NOT NULL CHECK (simulated IN (0,1)),
   pilot INTEGER NOT NULL CHECK (pilot IN (0,1)), process INTEGER, machine TEXT NOT NULL,
-  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0
+  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0, alive_us INTEGER
 ) STRICT;
 CREATE INDEX IF NOT EXISTS session_by_order ON session(simulated, pilot, sequence);
 CREATE TABLE IF NOT EXISTS trial(
@@ -73,11 +73,13 @@ CREATE TABLE IF NOT EXISTS answer(
   instrument TEXT NOT NULL, version TEXT NOT NULL, item TEXT NOT NULL, value REAL, text TEXT,
   declined INTEGER NOT NULL CHECK (declined IN (0,1)),
   touched INTEGER NOT NULL CHECK (touched IN (0,1)), t_us INTEGER NOT NULL,
-  asked TEXT, block INTEGER, task TEXT, interface TEXT, place INTEGER
+  asked TEXT, about TEXT REFERENCES trial(uuid), block INTEGER, task TEXT, interface TEXT,
+  place INTEGER
 ) STRICT;
 CREATE INDEX IF NOT EXISTS answer_by_session ON answer(session);
 CREATE TABLE IF NOT EXISTS frame_histogram(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
+  measure TEXT NOT NULL CHECK (measure IN ('interval','work')),
   least_us INTEGER NOT NULL, count INTEGER NOT NULL
 ) STRICT;
 CREATE INDEX IF NOT EXISTS frame_histogram_by_session ON frame_histogram(session);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "study/frame_histogram.h"
 #include "study/session.h"
 #include "study/session_log.h"
 
@@ -77,11 +78,18 @@ class Store {
 
   // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
   // or the code of a participant who must be new.
-  void begin_session(const SessionHeader& header, const Plan& plan);
+  // `first` is what the session has returned so far: it is stored with the session or not at all.
+  void begin_session(const SessionHeader& header, const Plan& plan,
+                     const std::vector<Record>& first = {});
   // Goes on with a session that was interrupted; `plan` is the one that it had. Throws
   // TakenError when another process goes on with it already.
   void resume_session(const LoggedSession& session, const Plan& plan);
   void write(const std::vector<Record>& step);
+  // The program lives at this time of the session; written once a second, so that time in which
+  // nothing was done is not lost with it.
+  void alive(std::int64_t t_us);
+  // How the frames of a trial (an index into Plan::trials; -1: outside) were shown.
+  void write_frames(int trial, const FrameHistogram& frames);
   void flush();
   void end_session(const std::string& ended_utc);
 

@@ -88,6 +88,8 @@ void rename_trials(Database& database, const std::string& session) {
        texts_of(database, "SELECT uuid FROM trial WHERE session = ?", {session})) {
     const std::string fresh = random_uuid();
     change(database, "UPDATE sample SET trial = ? WHERE trial = ?", {fresh, trial});
+    change(database, "UPDATE answer SET about = ? WHERE session = ? AND about = ?",
+           {fresh, session, trial});
     for (const char* table : tables_by_session) {
       change(database, std::string("UPDATE ") + table + " SET trial = ? WHERE session = ? AND trial = ?",
              {fresh, session, trial});

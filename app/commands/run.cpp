@@ -68,7 +68,7 @@ void run(const Options& options) {
   }
   if (result.interrupted) {
     throw OutsideError("interrupted; the session until then is in " + setting.database +
-                       ", start it again to go on or for the next participant");
+                       ", start a new one for the next participant");
   }
   print_result(result, setting.database);
 }

@@ -115,7 +115,7 @@ TEST_F(MergeTest, CarriesEveryVersionOfAnAmendedStudy) {
          "INSERT INTO amendment SELECT 'new', uuid, 'a typo', 'today' FROM study WHERE uuid <> "
          "'new'; INSERT INTO participant VALUES('p9', 'P09');"
          "INSERT INTO session SELECT 's9', 'new', 'p9', station, seed, 9, language, started_utc, "
-         "ended_utc, outcome, simulated, pilot, process, machine, process_start, resumed FROM "
+         "ended_utc, outcome, simulated, pilot, process, machine, process_start, resumed, alive_us FROM "
          "session");
   EXPECT_EQ(merge(out(), {file("a.db"), file("b.db")}).sessions, 2);
   EXPECT_EQ(number_in(out(), "SELECT count(*) FROM amendment JOIN study ON study.uuid = "
@@ -146,7 +146,7 @@ TEST_F(MergeTest, RefusesASessionThatIsNotTheSame) {
                            "DELETE FROM sample WHERE rowid = 2",
                            "UPDATE event SET value = 9 WHERE seq = 7",
                            "UPDATE answer SET value = 1 WHERE rowid = 1",
-                           "INSERT INTO frame_histogram SELECT uuid, NULL, 0, 5 FROM session",
+                           "INSERT INTO frame_histogram SELECT uuid, NULL, 'work', 0, 5 FROM session",
                            "UPDATE session SET station = '2'"};
   for (const char* sql : changes) {
     fs::copy_file(file("a.db"), file("b.db"), fs::copy_options::overwrite_existing);

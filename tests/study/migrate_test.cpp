@@ -42,6 +42,17 @@ TEST_F(MigrateTest, GivesOldTablesTheColumnsOfNewOnes) {
   EXPECT_EQ(version_of(old), schema_version);
 }
 
+// Rows of these are inserted by place.
+TEST_F(MigrateTest, GivesThemInTheSameOrder) {
+  make_old_database(file(), 1);
+  Database old = open_log(file());
+  Database fresh(":memory:", Database::Mode::create);
+  create_tables(fresh);
+  for (const char* table : {"study", "event", "sample", "answer"}) {
+    EXPECT_EQ(columns_of(old, table), columns_of(fresh, table)) << table;
+  }
+}
+
 TEST_F(MigrateTest, KeepsEveryOldRow) {
   make_old_database(file(), 1);
   Database before(file(), Database::Mode::read_only);

@@ -94,6 +94,7 @@ TEST_F(WithdrawTest, KeepsAnswersAndTrialsWhereTheConsentSaysSo) {
                               "started_utc = '0001-01-01T00:00:00Z' AND ended_utc = started_utc "
                               "AND station = '' AND machine = '{}' AND process_start IS NULL"),
             1);
+  EXPECT_EQ(number_in(file(), "SELECT count(*) FROM pragma_foreign_key_check"), 0);
   EXPECT_EQ(times_in(file(), code), 0);
   EXPECT_EQ(times_in(file(), uuid), 1) << "the tombstone";
 }
