@@ -8,7 +8,7 @@
 #include "app/commands.h"
 #include "app/print.h"
 #include "app/registry.h"
-#include "study/schema.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
 #include "study/stored_study.h"
 
@@ -88,8 +88,7 @@ void run_audit(const Options& options, study::Database& database) {
 
 void run(const Options& options) {
   interrupted();
-  study::Database database(options.database, study::Database::Mode::read_only);
-  study::check_database(database);
+  study::Database database = study::open_log(options.database);
   database.exec("BEGIN");  // one state of it, whoever writes meanwhile
   if (options.audit) return run_audit(options, database);
   throw InputError("replay", "say what to do: --audit");
