@@ -69,6 +69,18 @@ TEST_F(WithdrawTest, LeavesNoByteOfTheCodeAndTheUuidInTheTombstoneOnly) {
             std::vector<std::string>{uuid + "everything"});
 }
 
+// As programs did that deleted without secure_delete.
+TEST_F(WithdrawTest, ClearsWhatWasLeftInFreePages) {
+  toy::make_station(file(), {"P01", code});
+  Database(file(), Database::Mode::read_write)
+      .exec(std::string("PRAGMA secure_delete = OFF; CREATE TABLE old(code); INSERT INTO old "
+                        "VALUES('") +
+            code + "'); DROP TABLE old");
+  ASSERT_GT(times_in(file(), code), 2) << "the row and its index";
+  withdraw(file(), code);
+  EXPECT_EQ(times_in(file(), code), 0);
+}
+
 TEST_F(WithdrawTest, EmptiesTheJournalOfAnotherConnection) {
   toy::make_station(file(), {"P01"});
   const StudyBundle bundle = toy::bundle();
