@@ -460,13 +460,14 @@ void Store::write(const std::vector<Record>& step) {
   own.ended.clear();
 }
 
-void Store::alive(std::int64_t t_us) {
+bool Store::alive(std::int64_t t_us) {
   constexpr std::int64_t beat_us = 1'000'000;
   Implementation& own = *implementation_;
-  if (t_us - own.alive_us < beat_us) return;
+  if (t_us - own.alive_us < beat_us) return false;
   own.alive_us = t_us;
   own.begin();
   own.set_alive.bind(1, t_us).bind(2, own.session).run();
+  return true;
 }
 
 void Store::write_frames(int trial, const FrameHistogram& frames) {

@@ -85,9 +85,9 @@ class Store {
   // TakenError when another process goes on with it already.
   void resume_session(const LoggedSession& session, const Plan& plan);
   void write(const std::vector<Record>& step);
-  // The program lives at this time of the session; written once a second, so that time in which
-  // nothing was done is not lost with it.
-  void alive(std::int64_t t_us);
+  // The program lives at this time of the session; put into the transaction once a second, so
+  // that time in which nothing was done is not lost with it. True: this time it was.
+  bool alive(std::int64_t t_us);
   // How the frames of a trial (an index into Plan::trials; -1: outside) were shown.
   void write_frames(int trial, const FrameHistogram& frames);
   void flush();
