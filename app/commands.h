@@ -18,6 +18,8 @@ void add_replay_command(CLI::App& program);
 void add_model_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_stats_command(CLI::App& program);
+void add_withdraw_command(CLI::App& program);
+void add_merge_command(CLI::App& program);
 // Those of the contract that are not there yet: they say so, exit code 1.
 void add_missing_commands(CLI::App& program);
 

@@ -26,6 +26,8 @@ int run(int argc, char** argv) {
   app::add_replay_command(program);
   app::add_report_command(program);
   app::add_stats_command(program);
+  app::add_withdraw_command(program);
+  app::add_merge_command(program);
   app::add_set_command(program);
   app::add_motion_command(program);
   app::add_model_command(program);

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/commands.h"
+#include "app/ethics_page.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "motion/files.h"
 #include "study/reach_models.h"
 
 namespace promenade::app {
@@ -211,7 +214,24 @@ std::string bundle_text(const StudyBundle& bundle, const std::vector<TargetRepor
   return reports.empty() ? text : text + targets_text(reports);
 }
 
-void run(const std::vector<std::string>& files, bool json) {
+// Nothing is written for a study that cannot be run.
+void write_ethics_page(const StudyBundle& bundle, const std::string& file) {
+  if (file.empty()) return;
+  const bool html = std::filesystem::path(file).extension() == ".html";
+  write_file(file, ethics_page(bundle, html ? PageFormat::html : PageFormat::markdown));
+}
+
+void refuse_odd_page(const std::vector<std::string>& files, const std::string& ethics) {
+  if (ethics.empty()) return;
+  const std::string ending = std::filesystem::path(ethics).extension();
+  if (ending != ".html" && ending != ".md") {
+    throw InputError("--ethics " + ethics, "must end in .html or .md");
+  }
+  if (files.size() > 1) throw InputError("--ethics " + ethics, "is about one study; name only that");
+}
+
+void run(const std::vector<std::string>& files, const std::string& ethics, bool json) {
+  refuse_odd_page(files, ethics);
   Json document = {{"studies", Json::array()}};
   std::vector<Problem> errors;
   interrupted();  // from now on Ctrl-C is seen between two targets
@@ -221,6 +241,7 @@ void run(const std::vector<std::string>& files, bool json) {
       const std::vector<TargetReport> reports = report_targets(bundle);
       add_warnings(bundle, reports);
       print_problems(bundle.warnings);
+      write_ethics_page(bundle, ethics);
       document["studies"].push_back(bundle_json(bundle, reports));
       if (!json) print_text(bundle_text(bundle, reports));
     } catch (const InputError& error) {
@@ -236,11 +257,15 @@ void run(const std::vector<std::string>& files, bool json) {
 
 void add_check_command(CLI::App& program) {
   auto files = std::make_shared<std::vector<std::string>>();
+  auto ethics = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   CLI::App* command = program.add_subcommand("check", "Reads everything a study names");
   command->add_option("studies", *files, "study files (.toml)")->required();
+  command->add_option("--ethics", *ethics,
+                      "a page for an ethics board to write (.html or .md): what is asked and "
+                      "stored, and how people withdraw");
   command->add_flag("--json", *json, "one JSON document on stdout");
-  command->callback([files, json] { run(*files, *json); });
+  command->callback([files, ethics, json] { run(*files, *ethics, *json); });
 }
 
 }  // namespace promenade::app

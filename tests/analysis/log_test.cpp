@@ -121,7 +121,7 @@ TEST(Log, ReadsDatabasesOfBeforeThereWerePauses) {
   {
     ToyLog log(folder.file("a.db"));
     log.session({}).trial({});
-    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us");
+    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us; PRAGMA user_version = 1");
   }
   const Log log = read_log({folder.file("a.db")});
   ASSERT_EQ(log.trials.size(), 1U);
