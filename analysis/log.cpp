@@ -26,7 +26,8 @@ constexpr const char* session_query =
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
     "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
-    "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
+    "FROM trial WHERE practice = 0 AND superseded = 0 AND interface <> '' "
+    "ORDER BY session, position, uuid";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
