@@ -141,6 +141,11 @@ void LiveSession::hand_over_frames(const Record& record) {
   }
 }
 
+void LiveSession::save() {
+  unwritten_ = false;
+  guard([&] { store_.flush(); });
+}
+
 void LiveSession::flush(std::int64_t now_us) {
   if (recorded_ && !session_.ended()) {
     guard([&] { unwritten_ = store_.alive(last_us_) || unwritten_; });

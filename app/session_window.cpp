@@ -9,6 +9,7 @@
 #include "app/registry.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
+#include "app/window/display_loss.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
 #include "study/identity.h"
@@ -62,6 +63,7 @@ class Player {
 
   SessionResult play() {
     open_examples();
+    const DisplayLossGuard guard([this] { return last_words(); });
     warm_up();
     const FrameTimes times =
         run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
@@ -79,6 +81,14 @@ class Player {
   }
 
  private:
+  // The display is gone; the session waits as it does after a crash.
+  std::string last_words() {
+    live_.save();
+    if (!live_.recorded()) return "the display went away before the session began; start it again";
+    return "the display went away; the session until then is in " + setting_.database +
+           ", start it again to go on with it";
+  }
+
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
     const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
     return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
