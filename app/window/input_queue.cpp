@@ -98,6 +98,13 @@ bool InputQueue::hand_over(const UiEvent& event, ImGuiIO& io) {
   return false;
 }
 
+std::optional<UiEvent> InputQueue::take() {
+  if (waiting_.empty()) return std::nullopt;
+  const UiEvent event = waiting_.front();
+  waiting_.pop_front();
+  return event;
+}
+
 void InputQueue::feed(ImGuiIO& io) {
   presses_.clear();
   bool enough = false;
