@@ -23,7 +23,7 @@ class ReplayView {
   bool fit(int width, int height);
   // Draws the page at the player's time; leaves it in ImGui::GetDrawData. `hint`: what the
   // strip says at its end.
-  void frame(std::string_view hint = {});
+  void frame(std::string_view hint = "");
   // What stands under it: the figures, large and small. They are those that the frame asked for.
   void draw_figures(FigureRenderer& renderer);
 

@@ -33,7 +33,7 @@ class Projector {
     renderer_.begin(width, height, gui_.look().palette.background);
     view_.draw_figures(renderer_);
   }
-  void draw_page(std::string_view hint = {}) {
+  void draw_page(std::string_view hint = "") {
     view_.frame(hint);
     gui_renderer_.draw();
   }
