@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "app/trial_cast.h"
 #include "study/adjective_model.h"
 
 namespace promenade::app {
@@ -97,17 +98,7 @@ bool SessionView::has_panel() const {
 Cast SessionView::cast() const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
-    const study::Task& task = task_of(bundle_.study, planned());
-    const auto& cycles = bundle_.space.set.cycles;
-    // What is rated is shown as a target is.
-    const bool rated = task.kind == study::TaskKind::rate;
-    return {.target = rated           ? &trial->cycle
-                      : trial->target ? &*trial->target
-                                      : nullptr,
-            .created = rated ? nullptr : &trial->cycle,
-            .reference =
-                task.reference < 0 ? nullptr : &cycles[static_cast<std::size_t>(task.reference)],
-            .blind = task.blind};
+    return trial_cast(bundle_, session, trial->cycle);
   }
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());

@@ -104,6 +104,13 @@ void InputQueue::forget_presses() {
   });
 }
 
+std::optional<UiEvent> InputQueue::take() {
+  if (waiting_.empty()) return std::nullopt;
+  const UiEvent event = waiting_.front();
+  waiting_.pop_front();
+  return event;
+}
+
 void InputQueue::feed(ImGuiIO& io) {
   presses_.clear();
   bool enough = false;

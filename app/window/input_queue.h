@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <optional>
 #include <vector>
 
 struct ImGuiIO;
@@ -46,6 +47,9 @@ class InputQueue {
   // Hands events to Dear ImGui, up to and including one change of a button or a
   // key: two in one frame would be lost. Call it before ImGui::NewFrame.
   void feed(ImGuiIO& io);
+
+  // The next event, for who reads them without Dear ImGui; nothing: all were taken.
+  std::optional<UiEvent> take();
 
   // What the last feed handed over, for what the screen does about it.
   std::int64_t t_us() const { return t_us_; }
