@@ -11,6 +11,7 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/pack.h"
 #include "study/ratings_csv.h"
 #include "study/simulated_raters.h"
 #include "study/study_parts.h"
@@ -223,7 +224,9 @@ StudyBundle read_frozen_study(const std::string& file, const FrozenStudy& frozen
 }
 
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry) {
-  return read_study(file, text_of(file), registry, load_motion_set);
+  std::string text = text_of(file);
+  if (is_packed(text)) return unpack_study(text, file, registry);
+  return read_study(file, std::move(text), registry, load_motion_set);
 }
 
 }  // namespace promenade::study

@@ -206,7 +206,8 @@ struct StudyBundle {
 motion::MotionSet load_motion_set(const std::string& name, const std::string& folder);
 
 // Reads a study and everything that it names. Throws InputError with all problems
-// at once. `file` may also be "configs/demo.toml", which is embedded.
+// at once. `file` may also be "configs/demo.toml", which is embedded, or a packed study
+// (study/pack.h), which is known by its first bytes.
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry);
 
 // What participants of this study read in a language; throws InputError for one that neither
