@@ -32,6 +32,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"amendment", "previous", "", "study.uuid of the one before"},
     {"amendment", "reason", "", "why it was changed"},
     {"amendment", "amended_utc", "ISO 8601", "when"},
+    {"amendment", "same_orders", "0/1",
+     "1: each order is the same one as before, so that who finished it then counts for balance"},
     {"motion_set", "uuid", "", "identifies the motion set"},
     {"motion_set", "name", "", "name of the motion set"},
     {"motion_set", "sha256", "", "hash of the content"},

@@ -9,9 +9,11 @@
 #include <cstring>
 #include <thread>
 
+#include "motion/files.h"
 #include "study/identity.h"
 #include "study/schema.h"
 #include "study/store.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -90,18 +92,8 @@ bool is_blank(Database& database) {
 }
 
 void refuse_other_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  Statement other(database, "SELECT name FROM study ORDER BY rowid DESC LIMIT 1");
-  if (!other.step()) return;  // killed while it was made
-  const std::string name = other.text(0);
-  throw InputError(database.file(),
-                   name == bundle.study.name
-                       ? "holds the study \"" + name +
-                             "\" as it was before its file, its motions or the texts of the "
-                             "program changed; name a new database for the changed study"
-                       : "holds another study, \"" + name + "\"; name another database for \"" +
-                             bundle.study.name + "\"");
+  const std::string problem = study_problem(database, bundle);
+  if (!problem.empty()) throw InputError(database.file(), problem);
 }
 
 // The uuid of the motion set of a study, which several versions may share.
@@ -112,20 +104,6 @@ std::string put_motion_set(Database& database, const StudyBundle& bundle) {
   Statement known(database, "SELECT uuid FROM motion_set WHERE sha256 = ?");
   known.bind(1, bundle.set_sha256).step();
   return known.text(0);
-}
-
-void put_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  const std::string uuid = random_uuid();
-  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
-  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
-  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
-  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
-  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
-  for (const StudyPart& one : bundle.parts) {
-    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
-  }
 }
 
 // Reads only: a file that is not ours stays as it is.
@@ -151,17 +129,37 @@ void make_tables(Database& database, const StudyBundle& bundle) {
   transaction.commit();
 }
 
-Database prepared(const std::string& file, const StudyBundle& bundle) {
+Database writable(const std::string& file) {
   Database database(file, Database::Mode::read_write);
   database.exec("PRAGMA journal_mode = WAL");
   database.exec("PRAGMA wal_autocheckpoint = 0");
   database.exec("PRAGMA synchronous = NORMAL");
   database.exec("PRAGMA foreign_keys = ON");
+  return database;
+}
+
+Database prepared(const std::string& file, const StudyBundle& bundle) {
+  Database database = writable(file);
   make_tables(database, bundle);
   return database;
 }
 
 }  // namespace
+
+std::string put_study(Database& database, const StudyBundle& bundle) {
+  Statement known(database, "SELECT uuid FROM study WHERE study_sha256 = ?");
+  if (known.bind(1, bundle.sha256).step()) return known.text(0);
+  std::string uuid = random_uuid();
+  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
+  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
+  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
+  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
+  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
+  for (const StudyPart& one : bundle.parts) {
+    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
+  }
+  return uuid;
+}
 
 Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
   const std::string file = path.string();
@@ -176,6 +174,18 @@ Database open_store(const std::filesystem::path& path, const StudyBundle& bundle
     if (made) remove_database(file);
     throw;
   }
+}
+
+Database open_existing_store(const std::filesystem::path& path) {
+  check_is_file(path);
+  if (!std::filesystem::exists(path)) {
+    throw InputError(path.string(), "does not exist; name the database of the study");
+  }
+  {
+    Database database(path.string(), Database::Mode::read_only);
+    check_database(database);
+  }
+  return writable(path.string());
 }
 
 void remove_unused_store(const std::filesystem::path& path) {
