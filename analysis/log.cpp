@@ -1,5 +1,6 @@
 #include "analysis/log.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -8,6 +9,7 @@
 #include "study/migrate.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
+#include "study/versions.h"
 
 namespace promenade::analysis {
 namespace {
@@ -15,13 +17,11 @@ namespace {
 using study::Database;
 using study::Statement;
 
-constexpr const char* study_query =
-    "SELECT name, version, study_sha256, config_text, program_version FROM study "
-    "ORDER BY created_utc DESC, uuid LIMIT 1";
 constexpr const char* session_query =
     "SELECT session.uuid, participant.uuid, participant.code, session.outcome, "
-    "session.started_utc, session.simulated, session.pilot "
+    "session.started_utc, session.simulated, session.pilot, study.study_sha256 "
     "FROM session JOIN participant ON participant.uuid = session.participant "
+    "JOIN study ON study.uuid = session.study "
     "ORDER BY session.started_utc, participant.code, session.uuid";
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
@@ -84,24 +84,44 @@ class Reader {
     read_answers(database);
   }
 
-  Log take() { return std::move(log_); }
+  Log take() {
+    count_versions();
+    return std::move(log_);
+  }
 
  private:
   int file_index() const { return size_of(log_.files) - 1; }
 
   void read_study(Database& database) {
-    Statement row(database, study_query);
-    if (!row.step()) throw InputError(database.file(), "holds no study");
-    log_.files.back().program_version = row.text(4);
+    const std::vector<study::StudyVersion> versions = study::study_versions(database);
+    if (versions.empty()) throw InputError(database.file(), "holds no study");
+    const study::StudyVersion& newest = versions.back();
+    log_.files.back().program_version = newest.program_version;
     if (file_index() == 0) {
-      log_.study = row.text(0);
-      log_.version = row.text(1);
-      log_.sha256 = row.text(2);
-      log_.config_text = row.text(3);
-    } else if (row.text(2) != log_.sha256) {
-      throw InputError(database.file(), "holds another study than " + log_.files[0].file +
-                                            "; report them one by one");
+      log_.study = newest.name;
+      log_.version = newest.version;
+      log_.sha256 = newest.sha256;
+      log_.config_text = newest.config_text;
+    } else if (newest.sha256 != log_.sha256) {
+      throw InputError(database.file(), "holds another study, or another version of it, than " +
+                                            log_.files[0].file + "; report them one by one");
     }
+    for (const study::StudyVersion& one : versions) add_version(one);
+  }
+
+  // The newest one is the same in all files and stays the last.
+  void add_version(const study::StudyVersion& one) {
+    if (version_of(one.sha256) < size_of(log_.versions)) return;
+    const bool first_file = file_index() == 0;
+    log_.versions.insert(log_.versions.end() - (first_file ? 0 : 1),
+                         {one.version, one.sha256, one.reason, one.amended_utc});
+  }
+
+  int version_of(const std::string& sha256) const {
+    const auto found =
+        std::find_if(log_.versions.begin(), log_.versions.end(),
+                     [&sha256](const LoggedVersion& one) { return one.sha256 == sha256; });
+    return static_cast<int>(found - log_.versions.begin());
   }
 
   void read_sessions(Database& database) {
@@ -111,8 +131,12 @@ class Reader {
         ++log_.repeated_sessions;
         continue;
       }
+      const int version = version_of(row.text(7));
+      if (version == size_of(log_.versions)) {
+        throw InputError(database.file(), study::damaged_database);
+      }
       log_.sessions.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
-                               row.integer(5) != 0, row.integer(6) != 0, file_index()});
+                               row.integer(5) != 0, row.integer(6) != 0, file_index(), version});
       ++log_.files.back().sessions;
     }
   }
@@ -138,6 +162,17 @@ class Reader {
       if (!value) continue;
       log_.answers.push_back({trial->second, row.text(1), value});
       ++log_.files.back().answers;
+    }
+  }
+
+  void count_versions() {
+    for (const LoggedSession& session : log_.sessions) {
+      LoggedVersion& version = item(log_.versions, session.version);
+      ++version.sessions;
+      version.finished += session.outcome == "finished" ? 1 : 0;
+    }
+    for (const LoggedTrial& trial : log_.trials) {
+      ++item(log_.versions, item(log_.sessions, trial.session).version).trials;
     }
   }
 
@@ -171,7 +206,7 @@ Log read_log(const std::vector<std::string>& files) {
 }
 
 std::vector<std::string> log_queries() {
-  return {study_query, session_query, trial_query, answer_query};
+  return {study::study_versions_query, session_query, trial_query, answer_query};
 }
 
 }  // namespace promenade::analysis

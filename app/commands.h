@@ -16,6 +16,8 @@ void add_run_command(CLI::App& program);
 void add_simulate_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_model_command(CLI::App& program);
+void add_pack_command(CLI::App& program);
+void add_amend_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_stats_command(CLI::App& program);
 void add_withdraw_command(CLI::App& program);

@@ -13,10 +13,10 @@ using study::PageKind;
 
 constexpr const char* closed_by_hand = "window closed";
 
-std::vector<OfferedLanguage> offered(const study::Study& study) {
+std::vector<OfferedLanguage> offered(const study::StudyBundle& bundle) {
   std::vector<OfferedLanguage> languages;
-  for (const std::string& code : study.languages) {
-    const study::Texts texts = study::load_texts(code);
+  for (const std::string& code : bundle.study.languages) {
+    const study::Texts texts = study::texts_of(bundle, code);
     languages.push_back({code, texts("language"), texts("welcome.language")});
   }
   return languages;
@@ -47,7 +47,7 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   }
   const study::Study& study = bundle.study;
   for (const std::string& language : study.languages) {
-    for (std::string& word : words_of(captions_in(language, bundle.space.set))) {
+    for (std::string& word : words_of(captions_in(language, bundle))) {
       words.push_back(std::move(word));
     }
   }
@@ -71,8 +71,8 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       queue_(queue),
       options_(options),
       language_(options.language.empty() ? bundle.study.languages.front() : options.language),
-      captions_(captions_in(language_, bundle.space.set)),
-      languages_(offered(bundle.study)),
+      captions_(captions_in(language_, bundle)),
+      languages_(offered(bundle)),
       stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
       content_{bundle.space, captions_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
@@ -83,7 +83,7 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
 
 void SessionView::speak(const std::string& language) {
   language_ = language;
-  captions_ = captions_in(language, bundle_.space.set);
+  captions_ = captions_in(language, bundle_);
 }
 
 bool SessionView::covered() const {

@@ -57,8 +57,9 @@ class Store {
   Store& operator=(const Store&) = delete;
 
   // The order that the next session gets: the lowest one that nobody of the same kind
-  // (real, pilot, simulated) has finished or is running now. Another process may take
-  // it before begin_session.
+  // (real, pilot, simulated) has finished or is running now, in this version of the study or
+  // in one whose orders are the same (study/amend.h). Another process may take it before
+  // begin_session.
   int next_sequence(bool simulated, bool pilot);
   // The same for the next `count` sessions, if all of them finish.
   std::vector<int> next_sequences(bool simulated, bool pilot, int count);
@@ -77,7 +78,7 @@ class Store {
   void trace_to(const std::string& file);
 
   // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
-  // or the code of a participant who must be new.
+  // or the code of a participant who must be new; OutsideError when the study was amended.
   // `first` is what the session has returned so far: it is stored with the session or not at all.
   void begin_session(const SessionHeader& header, const Plan& plan,
                      const std::vector<Record>& first = {});

@@ -78,7 +78,7 @@ void run(const Options& options) {
 void add_run_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
   const CLI::Option* code =
       command->add_option("--participant", options->participant,
