@@ -141,10 +141,12 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
                                        return adjectives_of(bundle);
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
-  if (asked) warn_of_simulated_raters(root, bundle);
   InstrumentShelf instruments(files, study);
-  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments});
+  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments,
+                                  files, &bundle.bank, resources.adjectives});
+  if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
+  if (reader.ok()) warn_of_numbers(root, study);
   bundle.warnings = reader.finish();
   bundle.parts = files.parts();
   bundle.file = file;

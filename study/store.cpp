@@ -3,9 +3,9 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <set>
 
 #include "motion/bytes.h"
+#include "study/assignment.h"
 #include "study/identity.h"
 #include "study/process.h"
 #include "study/store_open.h"
@@ -35,6 +35,15 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
 bool holds_order(const Statement& row) {
   return row.text(0) == "finished" ||
          (row.text(0) == "running" && lives(row.integer(1), row.text(2)));
+}
+
+// The same row, with whether the person's data are to be removed.
+GivenOrder::State state_of(const Statement& row) {
+  using State = GivenOrder::State;
+  const bool running = row.text(0) == "running";
+  if (row.integer(4) != 0 || (!running && row.text(0) != "finished")) return State::gone;
+  if (!running) return State::counts;
+  return holds_order(row) ? State::runs : State::interrupted;
 }
 
 constexpr std::string_view when_words[] = {"start", "trial", "task", "block", "end"};
@@ -256,20 +265,14 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement rows(
-      implementation_->database,
-      "SELECT outcome, process, coalesce(process_start, ''), sequence FROM session "
-      "WHERE simulated = ? AND pilot = ?");
+  Statement rows(implementation_->database,
+                 "SELECT outcome, process, coalesce(process_start, ''), sequence, participant IN "
+                 "(SELECT participant FROM tombstone WHERE removed = 'everything') FROM session "
+                 "WHERE simulated = ? AND pilot = ?");
   rows.bind(1, simulated).bind(2, pilot);
-  std::set<std::int64_t> used;
-  while (rows.step()) {
-    if (holds_order(rows)) used.insert(rows.integer(3));
-  }
-  std::vector<int> free;
-  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (used.count(sequence) == 0) free.push_back(sequence);
-  }
-  return free;
+  std::vector<GivenOrder> given;
+  while (rows.step()) given.push_back({static_cast<int>(rows.integer(3)), state_of(rows)});
+  return next_orders(given, round_of(implementation_->bundle->study), count);
 }
 
 bool Store::knows_participant(const std::string& code) {
