@@ -17,6 +17,7 @@ struct SessionSetting {
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;  // seed of the simulated participant
   std::string trace = {};                  // Store::trace_to; empty: none
+  std::optional<int> sequence = {};        // the order that a roster gives; nothing: the next one
 };
 
 struct SessionResult {

@@ -1,4 +1,4 @@
-// Codes that stand for people: four characters by lot and one that checks them, as "K7QX3".
+// Codes that stand for people: four characters by lot and one that checks them, as "K7Q4S".
 // Digits and consonants without 0, 1, I and O, so that none is taken for another and no code is
 // a word: 29 of them, a prime.
 //

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "study/person_code.h"
+#include "study/schema.h"
 #include "study/sqlite.h"
 
 namespace promenade::study {
@@ -171,6 +172,39 @@ const RosterRow& find_person(const std::string& what, const std::string& typed,
                                (instead == rows.end() ? "" : " by " + instead->code));
   }
   return row;
+}
+
+void refuse_taken_place(const std::string& what, Database& database, const RosterRow& row,
+                        bool simulated) {
+  check_database(database);
+  Statement place(database, "SELECT 1 FROM roster WHERE code = ? AND state = 'done'");
+  if (place.bind(1, row.code).step()) {
+    throw InputError(what, row.code + " is done already, in " + database.file());
+  }
+  Statement other(database,
+                  "SELECT code FROM session JOIN participant ON participant.uuid = "
+                  "session.participant WHERE sequence = ? AND simulated = ? AND pilot = 0 AND "
+                  "outcome = 'finished'");
+  if (!other.bind(1, row.sequence).bind(2, simulated).step()) return;
+  throw InputError(what, fmt::format("order {} of {} was already done by {}, in {}; replace {} in "
+                                     "the roster or use another database",
+                                     row.sequence, row.code, other.text(0), database.file(),
+                                     row.code));
+}
+
+int mark_done(Database& database, std::vector<RosterRow>& rows) {
+  check_database(database);
+  Statement done(database, "SELECT code FROM roster WHERE state = 'done'");
+  int marked = 0;
+  while (done.step()) {
+    const auto row = std::find_if(rows.begin(), rows.end(), [&](const RosterRow& one) {
+      return one.code == done.text(0);
+    });
+    if (row == rows.end() || row->state == Attendance::done) continue;
+    row->state = Attendance::done;
+    ++marked;
+  }
+  return marked;
 }
 
 void store_row(Database& database, const RosterRow& row, const std::string& changed_utc) {

@@ -53,6 +53,14 @@ const RosterRow& find_person(const std::string& what, const std::string& typed,
 std::vector<RosterRow> read_roster(const std::string& file, std::string_view text);
 std::string roster_csv(const std::vector<RosterRow>& rows);
 
+// Throws InputError at `what` when the database says that the person is done, or that somebody
+// else finished with the order.
+void refuse_taken_place(const std::string& what, Database& database, const RosterRow& row,
+                        bool simulated);
+
+// Marks as done whom the table `roster` of a database says to be done; how many were not before.
+int mark_done(Database& database, std::vector<RosterRow>& rows);
+
 // Puts the row into table `roster`, or what has changed of it.
 void store_row(Database& database, const RosterRow& row, const std::string& changed_utc);
 
