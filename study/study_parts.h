@@ -1,6 +1,7 @@
 // The sections of a study file, each read by one function. Inside study/ only.
 #pragma once
 
+#include "study/load_instrument.h"
 #include "study/load_study.h"
 #include "study/toml_reader.h"
 
@@ -13,6 +14,8 @@ class StudyFiles {
       : folder_(std::move(folder)), load_(std::move(load)) {}
   // `path` as the study says it, from its folder. Throws InputError or OutsideError.
   const std::string& read(const std::string& path);
+  // One of the program's own, which is part of the study all the same.
+  void keep(const std::string& path, std::string content);
   std::string full_path(const std::string& path) const;  // for messages
   std::vector<StudyPart> parts() const;                  // by path
 
@@ -32,6 +35,7 @@ class InstrumentShelf {
 
  private:
   int add(Instrument instrument);
+  InstrumentFile read_own(const std::string& name);
   StudyFiles& files_;
   Study& study_;
   std::map<std::string, int> known_;
