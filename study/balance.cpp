@@ -23,9 +23,8 @@ bool is_dealt(const Task& task) { return task.deal == Deal::rotated && !task.lis
 // Interfaces x lists of one task; those that do not do it have no row.
 Eigen::MatrixXi count_lists(const Study& study, int task, const std::vector<Plan>& plans) {
   const Task& dealt = study.tasks[static_cast<std::size_t>(task)];
-  Eigen::MatrixXi counts = Eigen::MatrixXi::Zero(
-      static_cast<Eigen::Index>(dealt.interfaces.size()),
-      static_cast<Eigen::Index>(dealt.lists.size()));
+  Eigen::MatrixXi counts = Eigen::MatrixXi::Zero(static_cast<Eigen::Index>(dealt.interfaces.size()),
+                                                 static_cast<Eigen::Index>(dealt.lists.size()));
   for (const Plan& plan : plans) {
     for (std::size_t i = 0; i < dealt.interfaces.size(); ++i) {
       ++counts(static_cast<Eigen::Index>(i),

@@ -1,5 +1,7 @@
 #include "study/load_study.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <utility>
 
@@ -9,6 +11,7 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/plan.h"
 #include "study/ratings_csv.h"
 #include "study/study_parts.h"
 
@@ -75,6 +78,22 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
+// What was drawn, and what the first participant gets: another program may draw otherwise. To
+// six places, so that the last bits of another machine make no other study.
+void put_draws(const Study& study, std::string& bytes) {
+  for (std::size_t t = 0; t < study.tasks.size(); ++t) {
+    for (const auto* targets : {&study.tasks[t].targets, &study.tasks[t].practice}) {
+      for (const Target& target : *targets) {
+        if (target.stream.empty()) continue;
+        put(bytes, target.name);
+        const Eigen::VectorXd weights =
+            target.draw ? drawn_target(study, static_cast<int>(t), target, 0) : *target.weights;
+        for (const double weight : weights) put(bytes, fmt::format("{:.6f}", weight));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd start_weights(const motion::MotionSpace& space) {
@@ -107,6 +126,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
       put(bytes, to_text(value));
     }
   }
+  put_draws(bundle.study, bytes);
   return sha256_hex(bytes);
 }
 

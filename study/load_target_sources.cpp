@@ -37,7 +37,8 @@ std::optional<Lot> read_lot(const TomlTable& table, const TargetRules& task) {
   lot.name = table.text("name").value_or(model.value_or(""));
   refuse_unsafe_name(table, "name", lot.name);
   if (kept && draws && *draws < *kept) {
-    table.error("draw", fmt::format("\"draw\" is {}, but {} of them are to be kept", *draws, *kept));
+    table.error("draw",
+                fmt::format("\"draw\" is {}, but {} of them are to be kept", *draws, *kept));
     return std::nullopt;
   }
   if (!model || !kept || (table.has("draw") && !draws)) return std::nullopt;
@@ -55,16 +56,15 @@ DrawWalk source_of(const TomlTable& table, const Lot& lot, const StudyContext& c
   const auto adjectives = rated ? context.adjectives() : nullptr;
   WalkSource source = make_walk_source(lot.model, *context.space, adjectives.get());
   if (!source.draw) {
-    table.error("random", fmt::format("nothing can be drawn from \"{}\": {}",
-                                      *table.text("random"), source.problem));
+    table.error("random", fmt::format("nothing can be drawn from \"{}\": {}", *table.text("random"),
+                                      source.problem));
   }
   return std::move(source.draw);
 }
 
 bool begins_far(const TomlTable& table, const Lot& lot, const DrawWalk& draw,
                 const StudyContext& context) {
-  const int far =
-      count_far_starts(*context.bank, draw, lot.rules.times, lot.rules.least_start_m);
+  const int far = count_far_starts(*context.bank, draw, lot.rules.times, lot.rules.least_start_m);
   if (far >= least_far_starts) return true;
   table.error("random",
               fmt::format("only {} of {} walks drawn by \"{}\" begin above the threshold of {:.4f} "
@@ -73,21 +73,22 @@ bool begins_far(const TomlTable& table, const Lot& lot, const DrawWalk& draw,
   return false;
 }
 
-std::vector<Target> open_targets(const TomlTable& table, const Lot& lot) {
+std::vector<Target> open_targets(const TomlTable& table, const Lot& lot,
+                                 const std::string& stream) {
   std::vector<Target> targets(static_cast<std::size_t>(lot.rules.kept));
   for (std::size_t i = 0; i < targets.size(); ++i) {
     targets[i].name = lot.name + std::to_string(i + 1);
     targets[i].place = table.place();
+    targets[i].stream = stream;
   }
   return targets;
 }
 
-// The targets of one lot are drawn together, by the stream of the first.
-void draw_for_each(const Lot& lot, const DrawWalk& draw, const std::string& stream,
-                   const motion::PoseBank& shared, std::vector<Target>& targets) {
+// All of one lot come from one stream, so that each is one of those that were kept.
+void draw_for_each(const Lot& lot, const DrawWalk& draw, const motion::PoseBank& shared,
+                   std::vector<Target>& targets) {
   const auto bank = std::make_shared<const motion::PoseBank>(shared);
   for (std::size_t i = 0; i < targets.size(); ++i) {
-    targets[i].stream = stream;
     targets[i].least_start_m = lot.rules.least_start_m;
     targets[i].draw = [bank, draw, rules = lot.rules, i](Rng& rng) {
       return draw_targets(*bank, draw, rules, rng)[i];
@@ -95,10 +96,9 @@ void draw_for_each(const Lot& lot, const DrawWalk& draw, const std::string& stre
   }
 }
 
-void draw_for_all(const Lot& lot, const DrawWalk& draw, const std::string& stream,
-                  const StudyContext& context, const std::string& task,
-                  std::vector<Target>& targets) {
-  Rng rng(context.study.seed, 0, "targets:" + task + ":" + stream);
+void draw_for_all(const Lot& lot, const DrawWalk& draw, const StudyContext& context,
+                  const std::string& task, std::vector<Target>& targets) {
+  Rng rng(context.study.seed, 0, "targets:" + task + ":" + targets.front().stream);
   const auto walks = draw_targets(*context.bank, draw, lot.rules, rng);
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i].weights = walks[i];
 }
@@ -109,7 +109,8 @@ std::vector<Target> read_random_targets(const TomlTable& table, std::string_view
                                         const StudyContext& context, const TargetRules& task) {
   std::optional<Lot> lot = read_lot(table, task);
   if (!lot) return {};
-  std::vector<Target> targets = open_targets(table, *lot);
+  // Practice never meets the targets that count.
+  std::vector<Target> targets = open_targets(table, *lot, std::string(key) + ":" + lot->name);
   if (!context.space) return targets;
   const DrawWalk draw = source_of(table, *lot, context);
   if (!draw) return targets;
@@ -117,12 +118,10 @@ std::vector<Target> read_random_targets(const TomlTable& table, std::string_view
       task.least_start_m ? *task.least_start_m
                          : usual_least_start(*context.space, *context.bank, draw, task.times);
   if (!begins_far(table, *lot, draw, context)) return targets;
-  // Practice never meets the targets that count.
-  const std::string stream = std::string(key) + ":" + lot->name;
   if (lot->each) {
-    draw_for_each(*lot, draw, stream, *context.bank, targets);
+    draw_for_each(*lot, draw, *context.bank, targets);
   } else {
-    draw_for_all(*lot, draw, stream, context, task.task, targets);
+    draw_for_all(*lot, draw, context, task.task, targets);
   }
   return targets;
 }

@@ -105,22 +105,20 @@ void read_deal(const TomlTable& table, const StudyContext& context, Task& task) 
   if (lists == 0 || task.targets.empty() || !table.reader().ok()) return;
   if (task.targets.size() % lists != 0) {
     const std::size_t rounds = std::max<std::size_t>(1, task.targets.size() / lists);
-    table.error("deal", fmt::format("{} targets cannot be dealt evenly to {} interfaces; take {} "
-                                    "or {}",
-                                    task.targets.size(), lists, rounds * lists,
-                                    (rounds + 1) * lists));
+    table.error("deal",
+                fmt::format("{} targets cannot be dealt evenly to {} interfaces; take {} "
+                            "or {}",
+                            task.targets.size(), lists, rounds * lists, (rounds + 1) * lists));
     return;
   }
   std::vector<double> difficulties;
   for (const Target& target : task.targets) {
-    difficulties.push_back(
-        context.space ? start_of(target, task, *context.space).value_or(0) : 0);
+    difficulties.push_back(context.space ? start_of(target, task, *context.space).value_or(0) : 0);
   }
   task.lists = deal_lists(difficulties, static_cast<int>(lists));
 }
 
-void read_match(const TomlTable& table, const StudyContext& context, bool has_targets,
-                Task& task) {
+void read_match(const TomlTable& table, const StudyContext& context, bool has_targets, Task& task) {
   const bool by_phase = table.choice("distance", {"time", "phase"}) == "phase";
   task.distance = by_phase ? motion::DistanceTimes::phase : motion::DistanceTimes::time;
   read_fixed_threshold(table, task);
@@ -189,9 +187,10 @@ void read_start(const TomlTable& table, const std::vector<Task>& before, Task& t
   }
   if (task.start_guess >= 0) return;
   guesses.emplace_back("average");
-  table.error("start", "\"start\" is \"average\", or the name of a task of kind \"guess\" that "
-                       "stands before this one, not \"" + *name + "\"" +
-                           did_you_mean(*name, guesses));
+  table.error("start",
+              "\"start\" is \"average\", or the name of a task of kind \"guess\" that "
+              "stands before this one, not \"" +
+                  *name + "\"" + did_you_mean(*name, guesses));
 }
 
 // With an interface that does not do the guess there is nothing to begin from.

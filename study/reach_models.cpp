@@ -107,8 +107,7 @@ Reach reach(const ReachModels& models, const motion::ControlMap& map, const Targ
   Reach result{found.start_m, found.best_m, INFINITY, found.share_below,
                static_cast<int>(found.random_m.size())};
   for (int i = 0; i < models.bank.size(); ++i) {
-    const auto example =
-        blend_points(models.bank, VectorXd::Unit(models.bank.size(), i), times);
+    const auto example = blend_points(models.bank, VectorXd::Unit(models.bank.size(), i), times);
     result.best_example = std::min(result.best_example, motion::distance(wanted, example).mean_m);
   }
   if (map.shows_examples) result.best = std::min(result.best, result.best_example);

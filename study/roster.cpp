@@ -83,8 +83,8 @@ std::size_t index_of(const std::string& what, const std::string& typed,
 
 // One place of the design; its replacements have the same.
 int count_places(const std::vector<RosterRow>& rows) {
-  return static_cast<int>(std::count_if(
-      rows.begin(), rows.end(), [](const RosterRow& row) { return row.replaces.empty(); }));
+  return static_cast<int>(std::count_if(rows.begin(), rows.end(),
+                                        [](const RosterRow& row) { return row.replaces.empty(); }));
 }
 
 }  // namespace
@@ -132,8 +132,8 @@ void extend_roster(const std::string& file, const Study& study, int participants
   }
   for (int sequence = places; sequence < participants; ++sequence) {
     const int station = dealt[static_cast<std::size_t>(sequence)];
-    rows.push_back({new_code(study, rows), std::to_string(station + 1), sequence,
-                    Attendance::booked, ""});
+    rows.push_back(
+        {new_code(study, rows), std::to_string(station + 1), sequence, Attendance::booked, ""});
   }
 }
 
@@ -164,12 +164,11 @@ const RosterRow& find_person(const std::string& what, const std::string& typed,
   if (row.state == Attendance::done) {
     throw InputError(what, row.code + " is done already; every person has a code of their own");
   }
-  const auto instead = std::find_if(rows.begin(), rows.end(), [&](const RosterRow& other) {
-    return other.replaces == row.code;
-  });
+  const auto instead = std::find_if(
+      rows.begin(), rows.end(), [&](const RosterRow& other) { return other.replaces == row.code; });
   if (row.state == Attendance::replaced) {
-    throw InputError(what, row.code + " was replaced" +
-                               (instead == rows.end() ? "" : " by " + instead->code));
+    throw InputError(
+        what, row.code + " was replaced" + (instead == rows.end() ? "" : " by " + instead->code));
   }
   return row;
 }
@@ -186,10 +185,10 @@ void refuse_taken_place(const std::string& what, Database& database, const Roste
                   "session.participant WHERE sequence = ? AND simulated = ? AND pilot = 0 AND "
                   "outcome = 'finished'");
   if (!other.bind(1, row.sequence).bind(2, simulated).step()) return;
-  throw InputError(what, fmt::format("order {} of {} was already done by {}, in {}; replace {} in "
-                                     "the roster or use another database",
-                                     row.sequence, row.code, other.text(0), database.file(),
-                                     row.code));
+  throw InputError(what,
+                   fmt::format("order {} of {} was already done by {}, in {}; replace {} in "
+                               "the roster or use another database",
+                               row.sequence, row.code, other.text(0), database.file(), row.code));
 }
 
 int mark_done(Database& database, std::vector<RosterRow>& rows) {
@@ -197,9 +196,8 @@ int mark_done(Database& database, std::vector<RosterRow>& rows) {
   Statement done(database, "SELECT code FROM roster WHERE state = 'done'");
   int marked = 0;
   while (done.step()) {
-    const auto row = std::find_if(rows.begin(), rows.end(), [&](const RosterRow& one) {
-      return one.code == done.text(0);
-    });
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const RosterRow& one) { return one.code == done.text(0); });
     if (row == rows.end() || row->state == Attendance::done) continue;
     row->state = Attendance::done;
     ++marked;

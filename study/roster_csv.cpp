@@ -63,13 +63,13 @@ class Reader {
   }
 
   RosterRow row_of(const CsvRow& row) {
-    RosterRow made{cell(row, code), cell(row, station), 0, Attendance::booked,
-                   cell(row, replaces)};
+    RosterRow made{cell(row, code), cell(row, station), 0, Attendance::booked, cell(row, replaces)};
     if (!is_person_code(made.code)) {
-      report(row.place(column_[code]), fmt::format("\"{}\" is not a code: its check fails",
-                                                   made.code));
+      report(row.place(column_[code]),
+             fmt::format("\"{}\" is not a code: its check fails", made.code));
     } else if (!codes_.insert(made.code).second) {
-      report(row.place(column_[code]), fmt::format("the code \"{}\" stands there twice", made.code));
+      report(row.place(column_[code]),
+             fmt::format("the code \"{}\" stands there twice", made.code));
     }
     if (made.station.empty()) report(row.place(column_[station]), "the station is empty");
     made.sequence = sequence_in(row);
@@ -93,8 +93,8 @@ class Reader {
       words.emplace_back(to_text(one));
     }
     report(row.place(column_[state]),
-           fmt::format("the state \"{}\" must be one of {}{}", cell(row, state),
-                       quoted_list(words), did_you_mean(cell(row, state), words)));
+           fmt::format("the state \"{}\" must be one of {}{}", cell(row, state), quoted_list(words),
+                       did_you_mean(cell(row, state), words)));
     return Attendance::booked;
   }
 

@@ -10,7 +10,8 @@ namespace {
 
 // 0 when it never ended.
 std::int64_t end_of(const std::vector<Record>& records) {
-  const SessionEnded* ended = records.empty() ? nullptr : std::get_if<SessionEnded>(&records.back());
+  const SessionEnded* ended =
+      records.empty() ? nullptr : std::get_if<SessionEnded>(&records.back());
   return ended ? ended->t_us : 0;
 }
 
@@ -20,7 +21,8 @@ SessionLength session_length(const StudyBundle& bundle, const InterfaceRegistry&
                              int people, const std::function<bool()>& go_on) {
   std::vector<double> minutes;
   for (int i = 0; i < people && (i == 0 || go_on()); ++i) {
-    const std::uint64_t seed = Rng(bundle.study.seed, static_cast<std::uint64_t>(i), "length").next();
+    const std::uint64_t seed =
+        Rng(bundle.study.seed, static_cast<std::uint64_t>(i), "length").next();
     const auto records = simulate_session(bundle, registry, make_plan(bundle.study, i), seed);
     minutes.push_back(static_cast<double>(end_of(records)) / 60e6);
   }

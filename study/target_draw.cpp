@@ -75,8 +75,7 @@ double start_of(const motion::PoseBank& bank, const VectorXd& weights, DistanceT
 }
 
 // Always the same ones, of a stream of their own.
-std::vector<double> tried(const motion::PoseBank& bank, const DrawWalk& draw,
-                          DistanceTimes times) {
+std::vector<double> tried(const motion::PoseBank& bank, const DrawWalk& draw, DistanceTimes times) {
   Rng rng(1, 0, "starts");
   std::vector<double> starts;
   for (int i = 0; i < tried_starts; ++i) starts.push_back(start_of(bank, draw(rng), times));
@@ -122,9 +121,8 @@ double usual_least_start(const motion::MotionSpace& space, const motion::PoseBan
 int count_far_starts(const motion::PoseBank& bank, const DrawWalk& draw, DistanceTimes times,
                      double least_start_m) {
   const std::vector<double> starts = tried(bank, draw, times);
-  return static_cast<int>(std::count_if(starts.begin(), starts.end(), [&](double start) {
-    return start >= least_start_m;
-  }));
+  return static_cast<int>(std::count_if(starts.begin(), starts.end(),
+                                        [&](double start) { return start >= least_start_m; }));
 }
 
 std::vector<int> farthest_points(const std::vector<DistancePoints>& points,

@@ -21,8 +21,10 @@ class Reader {
 
   std::vector<Target> read(std::string_view text) {
     const std::vector<CsvRow> rows = parse_csv(text);
-    if (rows.empty()) throw InputError(file_, "is empty; a header with \"name\" and the names of "
-                                              "motions is wanted");
+    if (rows.empty())
+      throw InputError(file_,
+                       "is empty; a header with \"name\" and the names of "
+                       "motions is wanted");
     find_columns(rows[0]);
     if (!problems_.empty()) throw InputError(problems_);
     std::vector<Target> targets;
@@ -46,8 +48,8 @@ class Reader {
       const auto found = std::find(known.begin(), known.end(), cell);
       const int column = static_cast<int>(found - known.begin()) - 1;
       if (found == known.end()) {
-        report(header.place(c), fmt::format("the set has no motion \"{}\"{}", cell,
-                                            did_you_mean(cell, known)));
+        report(header.place(c),
+               fmt::format("the set has no motion \"{}\"{}", cell, did_you_mean(cell, known)));
       } else if (std::find(columns_.begin(), columns_.end(), column) != columns_.end()) {
         report(header.place(c), fmt::format("there is another column \"{}\" before", cell));
       }

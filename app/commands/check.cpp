@@ -33,7 +33,8 @@ study::SessionLength length_of(const StudyBundle& bundle) {
     return !interrupted();
   });
   show_progress("sessions timed:", timed_people, timed_people);
-  if (interrupted()) throw OutsideError("stopped while the sessions of " + bundle.file + " were timed");
+  if (interrupted())
+    throw OutsideError("stopped while the sessions of " + bundle.file + " were timed");
   return length;
 }
 
@@ -118,9 +119,10 @@ std::string bundle_text(const StudyBundle& bundle, const Report& report) {
   text += fmt::format("  {} interfaces, {} tasks; motion set {} with {} walks, {:.4f} m apart\n",
                       study.interfaces.size(), study.tasks.size(), study.set,
                       bundle.space.set.size(), study::median_style_distance(bundle.space));
-  text += fmt::format("  a session takes about {:.0f} minutes; numbers of participants that are a "
-                      "multiple of {} are balanced\n",
-                      std::ceil(report.length.median), study::round_of_design(study));
+  text += fmt::format(
+      "  a session takes about {:.0f} minutes; numbers of participants that are a "
+      "multiple of {} are balanced\n",
+      std::ceil(report.length.median), study::round_of_design(study));
   for (const Task& task : study.tasks) text += "  " + task_line(study, task);
   return report.targets.empty() ? text : text + targets_text(report.targets);
 }

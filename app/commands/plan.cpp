@@ -40,12 +40,9 @@ Json weights_json(const StudyBundle& bundle, const Eigen::VectorXd& weights) {
 
 Json trial_json(const StudyBundle& bundle, const PlannedTrial& trial) {
   const Study& study = bundle.study;
-  Json json = {{"position", trial.position},
-               {"block", trial.block},
-               {"practice", trial.practice},
-               {"task", study::task_of(study, trial).name},
-               {"interface", nullptr},
-               {"target", study::target_of(study, trial).name}};
+  Json json = {{"position", trial.position}, {"block", trial.block},
+               {"practice", trial.practice}, {"task", study::task_of(study, trial).name},
+               {"interface", nullptr},       {"target", study::target_of(study, trial).name}};
   if (trial.interface >= 0) json["interface"] = interface_name(study, trial.interface);
   if (trial.drawn.size() > 0) json["weights"] = weights_json(bundle, trial.drawn);
   return json;
@@ -194,8 +191,11 @@ void run(const Options& options) {
   print_problems(bundle.warnings);
   std::vector<Plan> plans;
   plans.reserve(static_cast<std::size_t>(options.participants));
+  interrupted();  // from now on Ctrl-C is seen between two plans
   for (int i = 0; i < options.participants; ++i) {
     plans.push_back(study::make_plan(bundle.study, i));
+    show_progress("orders made:", i + 1, options.participants);
+    if (interrupted()) throw OutsideError("stopped before all orders were made");
   }
   const study::Balance balance = study::balance_of(bundle.study, plans);
   if (!options.json) return print_plain(bundle, plans, balance);

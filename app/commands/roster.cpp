@@ -47,6 +47,16 @@ Json row_json(const RosterRow& row) {
   return json;
 }
 
+// What each row gets; nobody's targets need to be drawn for that.
+Study without_draws(Study study) {
+  for (study::Task& task : study.tasks) {
+    for (auto* targets : {&task.targets, &task.practice}) {
+      for (study::Target& target : *targets) target.draw = {};
+    }
+  }
+  return study;
+}
+
 bool is_even(const Study& study, const std::vector<RosterRow>& rows, const std::string& station) {
   std::vector<study::Plan> plans;
   for (const RosterRow& row : rows) {
@@ -85,14 +95,16 @@ void require_something(const Options& options) {
   const bool deals = options.participants > 0 && options.stations > 0;
   if (deals || !options.no_show.empty() || !options.replace.empty()) return;
   if (!options.databases.empty()) return;
-  throw InputError("roster", "needs --participants and --stations, or --no-show CODE, "
-                             "--replace CODE, or --done-in DB");
+  throw InputError("roster",
+                   "needs --participants and --stations, or --no-show CODE, "
+                   "--replace CODE, or --done-in DB");
 }
 
 void change(const Options& options, const Study& study, std::vector<RosterRow>& rows) {
   if (options.participants == 0 && rows.empty()) {
-    throw InputError(options.file, "there is no such roster; make it with --participants and "
-                                   "--stations");
+    throw InputError(options.file,
+                     "there is no such roster; make it with --participants and "
+                     "--stations");
   }
   if (options.participants > 0) {
     study::extend_roster(options.file, study, options.participants, options.stations, rows);
@@ -114,7 +126,7 @@ void run(const Options& options) {
   std::vector<RosterRow> rows = rows_in(options.file);
   change(options, bundle.study, rows);
   write_file(options.file, study::roster_csv(rows));
-  print_roster(options, bundle.study, rows);
+  print_roster(options, without_draws(bundle.study), rows);
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ std::vector<Problem> warnings_of(const std::string& file, const TargetReport& re
   }
   std::vector<Problem> warnings;
   for (std::string& sentence : sentences) {
-    warnings.push_back({file, report.place.line, report.place.column, std::move(sentence),
-                        Severity::warning});
+    warnings.push_back(
+        {file, report.place.line, report.place.column, std::move(sentence), Severity::warning});
   }
   return warnings;
 }
@@ -179,9 +179,9 @@ std::string targets_text(const std::vector<TargetReport>& reports) {
                                  "interface", "D start", "D best", "best example", "won by chance");
   for (const TargetReport& report : reports) {
     for (const auto& [interface, reach] : report.reaches) {
-      text += fmt::format("  {:<16}{:<16}{:<16}{:>10.4f}{:>10.4f}{:>14.4f}", report.task,
-                          shown_name(report), interface, reach.start, reach.best,
-                          reach.best_example);
+      text +=
+          fmt::format("  {:<16}{:<16}{:<16}{:>10.4f}{:>10.4f}{:>14.4f}", report.task,
+                      shown_name(report), interface, reach.start, reach.best, reach.best_example);
       text += report.threshold_m ? fmt::format("{:>12.1f} %\n", 100 * reach.share_below) : "\n";
     }
   }

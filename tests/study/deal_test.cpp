@@ -88,9 +88,10 @@ TEST(RotatedLists, MeetEveryInterfaceAtEveryPlaceEquallyOften) {
         std::map<std::tuple<int, int, int>, int> count;
         for (const Plan& plan : plans_of(study, round)) {
           const std::vector<int> order_of_plan =
-              (order == Order::latin ? latin_square(n)
-                                     : williams_design(n))[static_cast<std::size_t>(
-                  plan.sequence % rows_of_design(study))];
+              (order == Order::latin
+                   ? latin_square(n)
+                   : williams_design(
+                         n))[static_cast<std::size_t>(plan.sequence % rows_of_design(study))];
           for (int place = 0; place < n; ++place) {
             const int interface = order_of_plan[static_cast<std::size_t>(place)];
             if (interface < n - lists) continue;

@@ -55,8 +55,8 @@ TEST(RandomTargets, AreDrawnOnceForAStudy) {
 }
 
 TEST(RandomTargets, StandBesideOthersAndTakeTheNameOfTheirModel) {
-  const StudyBundle bundle =
-      bundle_of("[{ example = 'far' }, { random = 'pca', count = 2 }, { random = 'features', count = 1 }]");
+  const StudyBundle bundle = bundle_of(
+      "[{ example = 'far' }, { random = 'pca', count = 2 }, { random = 'features', count = 1 }]");
   EXPECT_EQ(names_of(bundle.study.tasks[0].targets),
             (std::vector<std::string>{"far", "pca1", "pca2", "features1"}));
 }
@@ -68,6 +68,14 @@ TEST(RandomTargets, FollowFromTheSeedOfTheStudy) {
   const Eigen::VectorXd one = *toy::bundle(text).study.tasks[0].targets[0].weights;
   text.replace(text.find("seed = 7"), 8, "seed = 8");
   EXPECT_NE(one, *toy::bundle(text).study.tasks[0].targets[0].weights);
+}
+
+TEST(RandomTargets, ArePartOfTheHashAsTheyWereDrawn) {
+  StudyBundle bundle = bundle_of("[{ random = 'weights', count = 1 }]");
+  const std::string before = study_hash(bundle, toy::registry());
+  EXPECT_EQ(before, bundle.sha256);
+  (*bundle.study.tasks[0].targets[0].weights)(0) += 0.001;
+  EXPECT_NE(study_hash(bundle, toy::registry()), before);
 }
 
 const char* each = "[{ random = 'weights', count = 3, draw = 9, per = 'participant', name = 'r' }]";
@@ -119,7 +127,8 @@ TEST(RandomTargets, OfAGuessAreThoseOfTheTaskThatBeginsFromIt) {
   std::string text = toy::study_text();
   text.replace(text.find("kind = \"match\""), 14, "kind = \"guess\"");
   const std::string old = "{ example = \"far\" }";
-  text.replace(text.find(old), old.size(), "{ random = 'weights', count = 2, per = 'participant' }");
+  text.replace(text.find(old), old.size(),
+               "{ random = 'weights', count = 2, per = 'participant' }");
   text += "[[task]]\nname = 'go on'\nkind = 'match'\nstart = 'copy'\nthreshold = 'auto'\n";
   const StudyBundle bundle = toy::bundle(text);
   const Plan plan = make_plan(bundle.study, 3);
@@ -172,9 +181,12 @@ INSTANTIATE_TEST_SUITE_P(
                "\"participant\""},
         Broken{"[{ random = 'weights', count = 2, darw = 4 }]",
                "toy.toml:13:45: error: unknown key \"darw\"; did you mean \"draw\"?"},
-        Broken{"[{ random = 'adjectives', count = 2 }]",
-               "toy.toml:13:23: error: nothing can be drawn from \"adjectives\": nobody has rated "
-               "the motions of this set"},
+        Broken{
+            "[{ random = 'adjectives', count = 2 }]",
+            "toy.toml:1:1: warning: the adjectives come from simulated raters (14 simulated "
+            "raters, seed 1)\n"
+            "toy.toml:13:23: error: nothing can be drawn from \"adjectives\": the ratings are of "
+            "other motions"},
         Broken{"[{ random = 'weights', count = 2, name = 'a/b' }]",
                "toy.toml:13:52: error: \"name\" must have up to 80 characters, none of them \"/\" "
                "or a control character, and not begin with a dot"},
@@ -185,8 +197,9 @@ INSTANTIATE_TEST_SUITE_P(
                "toy.toml:13:34: error: unknown key \"count\""},
         Broken{"[{ name = 'r1', example = 'far' }, { random = 'weights', count = 1, name = 'r' }]",
                "toy.toml:13:46: error: there is another target with the name \"r1\" before"},
-        Broken{"[{ file = 'targets.csv' }]", "targets.csv:1:11: error: the set has no motion "
-                                             "\"fra\"; did you mean \"far\"?"}));
+        Broken{"[{ file = 'targets.csv' }]",
+               "targets.csv:1:11: error: the set has no motion "
+               "\"fra\"; did you mean \"far\"?"}));
 
 TEST(TargetFiles, ThatAreNotThereAreNamedInTheStudy) {
   EXPECT_EQ(problems_of("[{ file = 'none.csv' }]"),
@@ -202,8 +215,9 @@ TEST(RandomTargets, AreRefusedWhereNearlyAllBeginBelowTheThreshold) {
     toy::bundle(text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("walks drawn by \"weights\" begin above the threshold "
-                                             "of 0.5000 m"),
+    EXPECT_NE(std::string(error.what())
+                  .find("walks drawn by \"weights\" begin above the threshold "
+                        "of 0.5000 m"),
               std::string::npos)
         << error.what();
   }
@@ -219,8 +233,8 @@ TEST(DealtTargets, AreInListsOfEqualNumber) {
   double sums[2] = {0, 0};
   for (int l : {0, 1}) {
     for (const int target : task.lists[static_cast<std::size_t>(l)]) {
-      sums[l] += start_distance(bundle.space,
-                                *task.targets[static_cast<std::size_t>(target)].weights);
+      sums[l] +=
+          start_distance(bundle.space, *task.targets[static_cast<std::size_t>(target)].weights);
     }
   }
   EXPECT_LT(std::abs(sums[0] - sums[1]), 0.5 * std::max(sums[0], sums[1]));
@@ -242,8 +256,9 @@ TEST(Guesses, NeedTheInterfacesOfTheTasksThatBeginFromThem) {
     toy::bundle(text);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("nobody does the task \"copy\" with the interface "
-                                             "\"pick\""),
+    EXPECT_NE(std::string(error.what())
+                  .find("nobody does the task \"copy\" with the interface "
+                        "\"pick\""),
               std::string::npos)
         << error.what();
   }
@@ -257,8 +272,9 @@ std::vector<Problem> warnings_with(const std::string& keys) {
 TEST(Participants, ThatAreNotBalancedAreWarnedOfWithTheNextGoodNumbers) {
   const std::vector<Problem> warnings = warnings_with("participants = 13");
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(to_text(warnings[0]), "toy.toml:3:16: warning: 13 people are not balanced over the 2 "
-                                  "orders of the interfaces; 12 or 14 are");
+  EXPECT_EQ(to_text(warnings[0]),
+            "toy.toml:3:16: warning: 13 people are not balanced over the 2 "
+            "orders of the interfaces; 12 or 14 are");
   EXPECT_TRUE(warnings_with("participants = 12").empty());
   EXPECT_TRUE(warnings_with("participants = 13\norder = 'random'").empty());
 }

@@ -206,8 +206,9 @@ std::string problems_of(const std::string& row) {
 
 TEST(ReadRoster, NamesEveryProblemWithItsPlace) {
   const std::string code = roster(study_of(2), 1, 1)[0].code;
-  EXPECT_EQ(problems_of("AAAAA,1,0,booked,"), "r.csv:2:1: error: \"AAAAA\" is not a code: its "
-                                              "check fails");
+  EXPECT_EQ(problems_of("AAAAA,1,0,booked,"),
+            "r.csv:2:1: error: \"AAAAA\" is not a code: its "
+            "check fails");
   EXPECT_EQ(problems_of(code + ",,x,boked,"),
             "r.csv:2:7: error: the station is empty\n"
             "r.csv:2:8: error: the sequence \"x\" is not a whole number from 0\n"

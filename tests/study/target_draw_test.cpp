@@ -28,7 +28,7 @@ DistancePoints at(double x) { return DistancePoints::Constant(x); }
 
 TEST(FarthestPoints, TakesTheFarthestFromTheStartThenTheFarthestFromAllTaken) {
   const std::vector<DistancePoints> points = {at(1), at(9), at(10), at(-6), at(4)};
-  EXPECT_EQ(farthest_points(points, at(0), 4), (std::vector<int>{2, 3, 4, 0}));
+  EXPECT_EQ(farthest_points(points, at(0), 4), (std::vector<int>{2, 3, 0, 4}));
   EXPECT_EQ(farthest_points(points, at(0), 9).size(), 5U);
 }
 

@@ -45,20 +45,22 @@ struct Broken {
 };
 
 TEST(TargetsCsv, NamesEveryProblemWithItsPlace) {
-  for (const Broken& broken : {
-           Broken{"", "t.csv: error: is empty; a header with \"name\" and the names of motions is "
-                      "wanted"},
-           Broken{"name,fra\nm,1\n",
-                  "t.csv:1:6: error: the set has no motion \"fra\"; did you mean \"far\"?"},
-           Broken{"far,far\n1,0\n", "t.csv:1:5: error: there is another column \"far\" before\n"
-                                    "t.csv:1:1: error: there is no column \"name\""},
-           Broken{"name,far\n", "t.csv:1:1: error: there are no targets below the header"},
-           Broken{"name,far,near\nm,0.5,0.4\n",
-                  "t.csv:2:1: error: the weights sum to 0.9, but must sum to 1"},
-           Broken{"name,far\nm,one\n,1\nn,1,2\n",
-                  "t.csv:2:3: error: the weight \"one\" is not a number from -100 to 100\n"
-                  "t.csv:3:1: error: the target has no name\n"
-                  "t.csv:4:5: error: 3 cells where the header has 2"}}) {
+  for (const Broken& broken :
+       {Broken{"",
+               "t.csv: error: is empty; a header with \"name\" and the names of motions is "
+               "wanted"},
+        Broken{"name,fra\nm,1\n",
+               "t.csv:1:6: error: the set has no motion \"fra\"; did you mean \"far\"?"},
+        Broken{"far,far\n1,0\n",
+               "t.csv:1:5: error: there is another column \"far\" before\n"
+               "t.csv:1:1: error: there is no column \"name\""},
+        Broken{"name,far\n", "t.csv:1:1: error: there are no targets below the header"},
+        Broken{"name,far,near\nm,0.5,0.4\n",
+               "t.csv:2:1: error: the weights sum to 0.9, but must sum to 1"},
+        Broken{"name,far\nm,one\n,1\nn,1,2\n",
+               "t.csv:2:3: error: the weight \"one\" is not a number from -100 to 100\n"
+               "t.csv:3:1: error: the target has no name\n"
+               "t.csv:4:5: error: 3 cells where the header has 2"}}) {
     EXPECT_EQ(problems_of(broken.text), broken.problems) << broken.text;
   }
 }
