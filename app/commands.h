@@ -12,6 +12,7 @@ void add_set_command(CLI::App& program);
 void add_motion_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_plan_command(CLI::App& program);
+void add_roster_command(CLI::App& program);
 void add_run_command(CLI::App& program);
 void add_simulate_command(CLI::App& program);
 void add_replay_command(CLI::App& program);

@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   namespace app = promenade::app;
   app::add_check_command(program);
   app::add_plan_command(program);
+  app::add_roster_command(program);
   app::add_run_command(program);
   app::add_simulate_command(program);
   app::add_pack_command(program);

@@ -90,7 +90,10 @@ class Player {
   }
 
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
-    const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
+    const int sequence =
+        setting.sequence
+            ? *setting.sequence
+            : store.next_sequence(setting.autopilot.has_value(), setting.pilot);
     return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
             setting.language.empty()};
   }

@@ -21,6 +21,7 @@ struct SessionSetting {
   // For measurements: is told of every event of the window as it arrives.
   std::function<void(const UiEvent&)> watch_input = {};
   std::string trace = {};  // Store::trace_to; empty: none
+  std::optional<int> sequence = {};  // the order that a roster gives; nothing: the next one
 };
 
 struct SessionResult {

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <set>
 
 #include "motion/bytes.h"
+#include "study/assignment.h"
 #include "study/identity.h"
 #include "study/process.h"
 #include "study/store_open.h"
@@ -44,6 +44,14 @@ constexpr const char* of_counted_versions =
     "study IN (WITH RECURSIVE counted(study) AS (SELECT uuid FROM study WHERE study_sha256 = ? "
     "UNION SELECT previous FROM amendment JOIN counted ON amendment.study = counted.study "
     "WHERE same_orders = 1) SELECT study FROM counted)";
+// The same row, with whether the person's data are to be removed.
+GivenOrder::State state_of(const Statement& row) {
+  using State = GivenOrder::State;
+  const bool running = row.text(0) == "running";
+  if (row.integer(4) != 0 || (!running && row.text(0) != "finished")) return State::gone;
+  if (!running) return State::counts;
+  return holds_order(row) ? State::runs : State::interrupted;
+}
 
 // A file that is closed with its owner; -1: none.
 class FileHandle {
@@ -330,21 +338,15 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement rows(
-      implementation_->database,
-      std::string("SELECT outcome, process, coalesce(process_start, ''), sequence FROM session "
-                  "WHERE simulated = ? AND pilot = ? AND ") +
-          of_counted_versions);
+  Statement rows(implementation_->database,
+                 std::string("SELECT outcome, process, coalesce(process_start, ''), sequence, "
+                             "participant IN (SELECT participant FROM tombstone WHERE removed = "
+                             "'everything') FROM session WHERE simulated = ? AND pilot = ? AND ") +
+                     of_counted_versions);
   rows.bind(1, simulated).bind(2, pilot).bind(3, implementation_->bundle->sha256);
-  std::set<std::int64_t> used;
-  while (rows.step()) {
-    if (holds_order(rows)) used.insert(rows.integer(3));
-  }
-  std::vector<int> free;
-  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (used.count(sequence) == 0) free.push_back(sequence);
-  }
-  return free;
+  std::vector<GivenOrder> given;
+  while (rows.step()) given.push_back({static_cast<int>(rows.integer(3)), state_of(rows)});
+  return next_orders(given, round_of(implementation_->bundle->study), count);
 }
 
 bool Store::knows_participant(const std::string& code) {

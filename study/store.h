@@ -56,10 +56,10 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  // The order that the next session gets: the lowest one that nobody of the same kind
-  // (real, pilot, simulated) has finished or is running now, in this version of the study or
-  // in one whose orders are the same (study/amend.h). Another process may take it before
-  // begin_session.
+  // The order that the next session gets: the one that is most missing among the sessions of
+  // the same kind (real, pilot, simulated) that count (study/assignment.h), in this version of
+  // the study or in one whose orders are the same (study/amend.h). Another process may take it
+  // before begin_session.
   int next_sequence(bool simulated, bool pilot);
   // The same for the next `count` sessions, if all of them finish.
   std::vector<int> next_sequences(bool simulated, bool pilot, int count);
