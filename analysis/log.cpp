@@ -1,14 +1,12 @@
 #include "analysis/log.h"
 
-#include <sqlite3.h>
-
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "analysis/item.h"
 #include "motion/problem.h"
+#include "study/migrate.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
 #include "study/versions.h"
@@ -28,20 +26,12 @@ constexpr const char* session_query =
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
     "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
-    "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
+    "FROM trial WHERE practice = 0 AND superseded = 0 AND interface <> '' "
+    "ORDER BY session, position, uuid";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
-
-// Databases of before there were pauses have no column of them.
-std::string trial_query_for(Database& database) {
-  constexpr std::string_view column = "coalesce(paused_us, 0)";
-  std::string query = trial_query;
-  Statement known(database, "SELECT 1 FROM pragma_table_info('trial') WHERE name = 'paused_us'");
-  if (!known.step()) query.replace(query.find(column), column.size(), "0");
-  return query;
-}
 
 // SQLite stores infinities; they are counted in `dropped` and taken for missing.
 std::optional<double> real(const Statement& row, int column, int& dropped) {
@@ -53,18 +43,9 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
 }
 
 Database open(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
-  if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file, "is a folder; name the .db file of a study");
-  }
-  Database database(file, Database::Mode::read_only);
-  study::check_database(database);
-  Statement check(database, "PRAGMA quick_check(1)");
-  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
-  for (const char* table : {"session", "trial", "answer"}) {
-    Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
-    if (lost.step()) throw InputError(file, study::damaged_database);
+  Database database = study::open_log(file);
+  if (study::is_damaged(database, {"session", "trial", "answer"})) {
+    throw InputError(file, study::damaged_database);
   }
   return database;
 }
@@ -170,7 +151,7 @@ class Reader {
   }
 
   void read_trials(Database& database) {
-    Statement row(database, trial_query_for(database));
+    Statement row(database, trial_query);
     while (row.step()) {
       const int session = session_of_.at(row.text(0));
       if (item(log_.sessions, session).file != file_index()) continue;
@@ -214,12 +195,6 @@ class Reader {
   std::map<std::string, int> trial_of_;
 };
 
-// What SQLite says of a file whose content is wrong, not of a disk that fails.
-bool is_about_content(const study::DatabaseError& error) {
-  const int code = error.code() & 0xff;
-  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
-}
-
 }  // namespace
 
 Log read_log(const std::vector<std::string>& files) {
@@ -231,7 +206,7 @@ Log read_log(const std::vector<std::string>& files) {
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     } catch (const study::DatabaseError& error) {
-      if (!is_about_content(error)) throw;
+      if (!error.about_content()) throw;
       problems.push_back({file, 0, 0, study::damaged_database, Severity::error});
     }
   }

@@ -59,7 +59,9 @@ struct Log {
   std::vector<LoggedVersion> versions;  // the newest last: that is what stands above
   std::vector<LoggedFile> files;
   std::vector<LoggedSession> sessions;  // by file and start
-  std::vector<LoggedTrial> trials;      // without practice; by session and position
+  // Without practice, what was done again later, and rate tasks, which have no interface; by
+  // session and position.
+  std::vector<LoggedTrial> trials;
   std::vector<LoggedAnswer> answers;    // about these trials, touched and not declined
   int repeated_sessions = 0;            // in more than one file, taken once
   int not_finite = 0;                   // values that are infinite, taken for missing

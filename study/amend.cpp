@@ -92,7 +92,7 @@ bool same_orders(const Study& before, const Study& after) {
 Amended amend_study(const std::filesystem::path& path, const StudyBundle& changed,
                     const InterfaceRegistry& registry, const std::string& reason) {
   check_reason(reason);
-  Database database = open_existing_store(path);
+  Database database = open_existing_store(path.string());
   Transaction transaction(database);
   const StudyVersion before = version_to_change(database, changed);
   Amended amended{before.version, same_orders_as(database, before, changed, registry),

@@ -12,6 +12,7 @@
 #include "study/embedded.h"
 #include "study/identity.h"
 #include "study/pack.h"
+#include "study/plan.h"
 #include "study/ratings_csv.h"
 #include "study/simulated_raters.h"
 #include "study/study_parts.h"
@@ -118,6 +119,22 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
+// What was drawn, and what the first participant gets: another program may draw otherwise. To
+// six places, so that the last bits of another machine make no other study.
+void put_draws(const Study& study, std::string& bytes) {
+  for (std::size_t t = 0; t < study.tasks.size(); ++t) {
+    for (const auto* targets : {&study.tasks[t].targets, &study.tasks[t].practice}) {
+      for (const Target& target : *targets) {
+        if (target.stream.empty()) continue;
+        put(bytes, target.name);
+        const Eigen::VectorXd weights =
+            target.draw ? drawn_target(study, static_cast<int>(t), target, 0) : *target.weights;
+        for (const double weight : weights) put(bytes, fmt::format("{:.6f}", weight));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd start_weights(const motion::MotionSpace& space) {
@@ -143,6 +160,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
       put(bytes, to_text(value));
     }
   }
+  put_draws(bundle.study, bytes);
   return sha256_hex(bytes);
 }
 
@@ -187,11 +205,12 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
                                        return adjectives_of(files, bundle);
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
-  if (asked) warn_of_simulated_raters(root, bundle);
   InstrumentShelf instruments(files, study, bundle.texts);
-  study.tasks =
-      read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments, bundle.texts});
+  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments,
+                                  bundle.texts, files, &bundle.bank, resources.adjectives});
+  if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
+  if (reader.ok()) warn_of_numbers(root, study);
   bundle.warnings = reader.finish();
   bundle.parts = files.parts();
   bundle.file = file;

@@ -10,7 +10,9 @@
 #include <thread>
 
 #include "motion/files.h"
+#include "study/database_file.h"
 #include "study/identity.h"
+#include "study/migrate.h"
 #include "study/schema.h"
 #include "study/store.h"
 #include "study/versions.h"
@@ -50,28 +52,6 @@ class FolderLock {
  private:
   int handle_;
 };
-
-// The file is there with rights for its owner only before SQLite opens it; its
-// journal gets the same rights. One that is there is not opened: closing it would
-// drop the locks that SQLite holds on it elsewhere in this process.
-// True: it was made here.
-bool make_private_file(const std::string& file) {
-  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (handle >= 0) {
-    ::close(handle);
-    return true;
-  }
-  if (errno != EEXIST || ::access(file.c_str(), R_OK | W_OK) != 0) {
-    throw OutsideError("cannot write " + file + " (" + std::strerror(errno) +
-                       "); name another place for the database");
-  }
-  return false;
-}
-
-void remove_database(const std::string& file) {
-  std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file + ending, ignored);
-}
 
 bool has_tables(Database& database) {
   Statement statement(database, "SELECT 1 FROM sqlite_schema WHERE name = 'study'");
@@ -129,17 +109,19 @@ void make_tables(Database& database, const StudyBundle& bundle) {
   transaction.commit();
 }
 
-Database writable(const std::string& file) {
+Database open_to_write(const std::string& file) {
   Database database(file, Database::Mode::read_write);
   database.exec("PRAGMA journal_mode = WAL");
   database.exec("PRAGMA wal_autocheckpoint = 0");
   database.exec("PRAGMA synchronous = NORMAL");
   database.exec("PRAGMA foreign_keys = ON");
+  database.exec("PRAGMA secure_delete = ON");
+  if (has_tables(database)) migrate_file(database);
   return database;
 }
 
 Database prepared(const std::string& file, const StudyBundle& bundle) {
-  Database database = writable(file);
+  Database database = open_to_write(file);
   make_tables(database, bundle);
   return database;
 }
@@ -176,16 +158,11 @@ Database open_store(const std::filesystem::path& path, const StudyBundle& bundle
   }
 }
 
-Database open_existing_store(const std::filesystem::path& path) {
-  check_is_file(path);
-  if (!std::filesystem::exists(path)) {
-    throw InputError(path.string(), "does not exist; name the database of the study");
-  }
-  {
-    Database database(path.string(), Database::Mode::read_only);
-    check_database(database);
-  }
-  return writable(path.string());
+Database open_existing_store(const std::string& file) {
+  open_log(file);  // says what is wrong with it
+  const FolderLock lock(file);
+  require_writable(file);
+  return open_to_write(file);
 }
 
 void remove_unused_store(const std::filesystem::path& path) {

@@ -37,6 +37,8 @@ struct Target {
   Place place = {};                        // in the study's file
   // Drawn anew for each participant: N weights. Empty: the same for all.
   std::function<Eigen::VectorXd(Rng&)> draw = {};
+  std::string stream = {};   // of the draw: targets of one stream are drawn together
+  double least_start_m = 0;  // of the draw: D at the start is never less, metres
 };
 
 enum class TaskKind {

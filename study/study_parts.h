@@ -52,6 +52,18 @@ struct StudyContext {
   const motion::MotionSpace* space;  // null: the set could not be read
   InstrumentShelf& instruments;
   const StudyTexts& texts;
+  StudyFiles& files;
+  const motion::PoseBank* bank;  // of the space
+  // Made when first asked for; null: nobody has rated the motions of this set.
+  std::function<std::shared_ptr<const AdjectiveModel>()> adjectives;
+};
+
+// What targets that are made by lot need to know of their task.
+struct TargetRules {
+  std::string task;  // its name
+  motion::DistanceTimes times = motion::DistanceTimes::time;
+  // D at the start, metres; nothing: as target_draw.h says.
+  std::optional<double> least_start_m;
 };
 
 // The "name" of a table, which goes into names of files and tables of results: up to 80
@@ -74,6 +86,8 @@ LocalText read_languages(const TomlTable& table, const std::string& name,
 void read_study_section(const TomlTable& root, Study& study);
 // The design keys of [study]: orders, nesting, how many people, how long.
 void read_design(const TomlTable& section, Study& study);
+// After the tasks: a planned number of people that leaves orders or lists uneven.
+void warn_of_numbers(const TomlTable& root, const Study& study);
 void read_display(const TomlTable& root, Study& study);
 void read_breaks(const TomlTable& root, Study& study);
 void read_practice(const TomlTable& root, Study& study);
@@ -85,7 +99,11 @@ std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const Interface
 void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bundle);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
-                                 const StudyContext& context);
+                                 const StudyContext& context, const TargetRules& rules);
+// One entry of `targets`, or of `practice`, that stands for several.
+std::vector<Target> read_random_targets(const TomlTable& table, std::string_view key,
+                                        const StudyContext& context, const TargetRules& task);
+std::vector<Target> read_target_file(const TomlTable& table, const StudyContext& context);
 std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
                                    const StudyContext& context);
 // [[rating]] and [[questionnaire]]: after the tasks, of which they speak.

@@ -41,6 +41,16 @@ TEST(Log, HoldsSessionsTrialsAndAnswersButNoPractice) {
   EXPECT_EQ(log.answers[0].value, 5);
 }
 
+TEST(Log, LeavesOutWhatWasDoneAgainAndWhatHasNoInterface) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({"P01"}).trial({"labels", "happy"}).trial({"labels", "happy", 8}).trial({"", "sad"});
+  log.database().exec("UPDATE trial SET superseded = 1 WHERE position = 1");
+  const Log read = read_log({folder.file("a.db")});
+  ASSERT_EQ(read.trials.size(), 1u);
+  EXPECT_EQ(read.trials[0].ended_us, 8'000'000);
+}
+
 TEST(Log, JoinsFilesOfOneStudyAndTakesEachSessionOnce) {
   const TestFolder folder;
   { fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0, "a"); }
@@ -165,7 +175,7 @@ TEST(Log, ReadsDatabasesOfBeforeThereWerePauses) {
   {
     ToyLog log(folder.file("a.db"));
     log.session({}).trial({});
-    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us");
+    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us; PRAGMA user_version = 1");
   }
   const Log log = read_log({folder.file("a.db")});
   ASSERT_EQ(log.trials.size(), 1U);
