@@ -111,7 +111,16 @@ class Reader {
 
   // The newest one is the same in all files and stays the last.
   void add_version(const study::StudyVersion& one) {
-    if (version_of(one.sha256) < size_of(log_.versions)) return;
+    const int known = version_of(one.sha256);
+    if (known < size_of(log_.versions)) {
+      // A station that began with this version does not know why it came.
+      LoggedVersion& version = item(log_.versions, known);
+      if (version.amended_utc.empty()) {
+        version.reason = one.reason;
+        version.amended_utc = one.amended_utc;
+      }
+      return;
+    }
     const bool first_file = file_index() == 0;
     log_.versions.insert(log_.versions.end() - (first_file ? 0 : 1),
                          {one.version, one.sha256, one.reason, one.amended_utc});

@@ -36,10 +36,10 @@ StudyVersion version_to_change(Database& database, const StudyBundle& changed) {
   if (newest.sha256 == changed.sha256) {
     throw InputError(changed.file, "is already the study in " + file + "; change it first");
   }
-  for (const StudyVersion& one : versions) {
-    if (one.sha256 != changed.sha256) continue;
+  for (std::size_t i = 0; i + 1 < versions.size(); ++i) {
+    if (versions[i].sha256 != changed.sha256) continue;
     throw InputError(changed.file, "was the study in " + file + " before it was changed on " +
-                                       newest.amended_utc +
+                                       versions[i + 1].amended_utc +
                                        "; to go back to it, give it another \"version\"");
   }
   return newest;

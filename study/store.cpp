@@ -44,6 +44,7 @@ constexpr const char* of_counted_versions =
     "study IN (WITH RECURSIVE counted(study) AS (SELECT uuid FROM study WHERE study_sha256 = ? "
     "UNION SELECT previous FROM amendment JOIN counted ON amendment.study = counted.study "
     "WHERE same_orders = 1) SELECT study FROM counted)";
+
 // The same row, with whether the person's data are to be removed.
 GivenOrder::State state_of(const Statement& row) {
   using State = GivenOrder::State;

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <thread>
 
-#include "study/database_file.h"
 #include "motion/files.h"
+#include "study/database_file.h"
 #include "study/identity.h"
 #include "study/migrate.h"
 #include "study/schema.h"

@@ -69,6 +69,50 @@ TEST(Log, RefusesFilesOfDifferentStudies) {
   EXPECT_TRUE(says(message_of({folder.file("a.db"), folder.file("b.db")}), "another study"));
 }
 
+// Makes "def" the version after "abc" in a database of it.
+void amend(ToyLog& log) {
+  log.database().exec(
+      "INSERT INTO study SELECT 'study-def', name, '2', config_text, 'def', program_version, "
+      "created_utc, motion_set FROM study WHERE uuid = 'study-abc'");
+  log.database().exec(
+      "INSERT INTO amendment(study, previous, reason, amended_utc) VALUES "
+      "('study-def', 'study-abc', 'too long', '2026-11-23T09:00:00Z')");
+}
+
+TEST(Log, CountsTheRowsOfEachVersionOfTheStudy) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P01"}).trial({}).session({"P02", "stopped"});
+    amend(log);
+    log.database().exec("UPDATE session SET study = 'study-def' WHERE outcome = 'stopped'");
+  }
+  const Log log = read_log({folder.file("a.db")});
+  EXPECT_EQ(log.sha256, "def");
+  ASSERT_EQ(log.versions.size(), 2u);
+  EXPECT_EQ(log.versions[0].sessions, 1);
+  EXPECT_EQ(log.versions[0].finished, 1);
+  EXPECT_EQ(log.versions[0].trials, 1);
+  EXPECT_EQ(log.versions[1].reason, "too long");
+  EXPECT_EQ(log.versions[1].sessions, 1);
+  EXPECT_EQ(log.versions[1].finished, 0);
+}
+
+TEST(Log, JoinsFilesWhoseNewestVersionIsTheSame) {
+  const TestFolder folder;
+  for (const char* name : {"a.db", "b.db"}) {
+    ToyLog log(folder.file(name));
+    amend(log);
+  }
+  { ToyLog new_station(folder.file("c.db"), "def"); }
+  { ToyLog behind(folder.file("d.db")); }
+  const Log log = read_log({folder.file("c.db"), folder.file("a.db"), folder.file("b.db")});
+  ASSERT_EQ(log.versions.size(), 2u);
+  EXPECT_EQ(log.versions[1].sha256, "def");
+  EXPECT_EQ(log.versions[1].reason, "too long");
+  EXPECT_TRUE(says(message_of({folder.file("a.db"), folder.file("d.db")}), "another version"));
+}
+
 TEST(Log, NamesEveryFileThatIsNoDatabase) {
   const TestFolder folder;
   write_file(folder.file("text.db"), "this is a text and certainly not a database at all");
