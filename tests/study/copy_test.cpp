@@ -115,7 +115,7 @@ TEST_F(CopyTest, KeepsTheOldCopyWhenTheNewOneIsNotWhatWasWritten) {
   toy::make_station(file(), {"P01"});
   renew();
   const std::string before = read_file(copy());
-  fs::create_directory(copy() + ".part");  // nothing can be written there
+  fs::create_directories(copy() + ".part/full");  // nothing can be written there
   EXPECT_FALSE(problem().empty());
   EXPECT_EQ(read_file(copy()), before);
 }
