@@ -32,14 +32,17 @@ const std::string& title_of(const Study& study) { return english(study.title, st
 void tell_study(Document& page, const study::StudyBundle& bundle) {
   const Study& study = bundle.study;
   page.heading(1, title_of(study));
-  page.paragraph("What this study asks of people, what is stored of them, where and how long, and "
-                 "how a person is taken out again. Made from the study file itself by Promenade " +
-                 std::string(study::program_version()) + ".");
-  std::vector<Cells> rows = {{"study", study.name},
-                             {"version", study.version},
-                             {"SHA-256 of all that it shows", bundle.sha256},
-                             {"a session takes at most", fmt::format("{} minutes", study.most_minutes)}};
-  if (study.participants > 0) rows.push_back({"people planned", std::to_string(study.participants)});
+  page.paragraph(
+      "What this study asks of people, what is stored of them, where and how long, and "
+      "how a person is taken out again. Made from the study file itself by Promenade " +
+      std::string(study::program_version()) + ".");
+  std::vector<Cells> rows = {
+      {"study", study.name},
+      {"version", study.version},
+      {"SHA-256 of all that it shows", bundle.sha256},
+      {"a session takes at most", fmt::format("{} minutes", study.most_minutes)}};
+  if (study.participants > 0)
+    rows.push_back({"people planned", std::to_string(study.participants)});
   page.table({"", ""}, rows);
 }
 
@@ -51,7 +54,8 @@ void tell_consent(Document& page, const Study& study) {
     page.heading(3, language);
     page.paragraph(own.empty() ? texts("consent.text") : own);
   }
-  page.paragraph("Who declines sees the last page at once; that, under the code, is all that is stored.");
+  page.paragraph(
+      "Who declines sees the last page at once; that, under the code, is all that is stored.");
 }
 
 std::string sentence_of(const Task& task) {
@@ -127,7 +131,9 @@ constexpr const char* when_asked(Questionnaire::When when) {
 // "at the start", "in the task rating": everywhere it is asked.
 std::string times_of(const Study& study, int instrument) {
   std::string times;
-  const auto add = [&times](const std::string& time) { times += (times.empty() ? "" : ", ") + time; };
+  const auto add = [&times](const std::string& time) {
+    times += (times.empty() ? "" : ", ") + time;
+  };
   for (const Questionnaire& one : study.questionnaires) {
     if (one.instrument == instrument) add(when_asked(one.when));
   }
@@ -163,22 +169,24 @@ void tell_questions(Document& page, const Study& study) {
 
 bool asks_own_words(const Study& study) {
   const auto is_free = [](const Item& item) { return item.kind == ItemKind::text; };
-  return std::any_of(study.instruments.begin(), study.instruments.end(),
-                     [&](const Instrument& instrument) {
-                       return std::any_of(instrument.items.begin(), instrument.items.end(), is_free);
-                     });
+  return std::any_of(
+      study.instruments.begin(), study.instruments.end(), [&](const Instrument& instrument) {
+        return std::any_of(instrument.items.begin(), instrument.items.end(), is_free);
+      });
 }
 
 void tell_never_asked(Document& page, const Study& study) {
   page.heading(2, "What the program never asks or records");
-  page.list({"name, address, e-mail, telephone, date of birth: people are known by a code that the "
-             "experimenter gives",
-             "picture, voice, or what else is on the screen",
-             "anything about other programs or files of the computer",
-             "it sends nothing over a network"});
+  page.list(
+      {"name, address, e-mail, telephone, date of birth: people are known by a code that the "
+       "experimenter gives",
+       "picture, voice, or what else is on the screen",
+       "anything about other programs or files of the computer",
+       "it sends nothing over a network"});
   if (!asks_own_words(study)) return;
-  page.paragraph("Some questions above take own words, in which people may tell who they are. Read "
-                 "those answers before they are passed on.");
+  page.paragraph(
+      "Some questions above take own words, in which people may tell who they are. Read "
+      "those answers before they are passed on.");
 }
 
 std::vector<Cells> rows_of(study::Database& database, const std::string& table) {
@@ -194,8 +202,9 @@ std::vector<Cells> rows_of(study::Database& database, const std::string& table) 
 
 void tell_tables(Document& page) {
   page.heading(2, "Everything that is stored");
-  page.paragraph("Every table and column of the database. Times within a session are counted from "
-                 "its begin; only columns with the unit ISO 8601 hold a date.");
+  page.paragraph(
+      "Every table and column of the database. Times within a session are counted from "
+      "its begin; only columns with the unit ISO 8601 hold a date.");
   study::Database database(":memory:", study::Database::Mode::create);
   study::create_tables(database);
   study::Statement table(database,
@@ -213,23 +222,27 @@ void tell_place(Document& page, const Study& study) {
           ".db, or where the experimenter says (--db)",
       "only the account that runs the program may read or write it (rights 0600); it is not "
       "encrypted: encrypt the disk, or keep the computer locked"};
-  places.push_back(study.safety.copy_to.empty()
-                       ? "no second copy is made"
-                       : "after each session a second copy with the same rights goes to the folder " +
-                             study.safety.copy_to + " ([safety] copy_to)");
-  places.emplace_back("a newer version of the program that changes the tables keeps a copy of the "
-                      "file beside it, FILE.v1.backup");
+  places.push_back(
+      study.safety.copy_to.empty()
+          ? "no second copy is made"
+          : "after each session a second copy with the same rights goes to the folder " +
+                study.safety.copy_to + " ([safety] copy_to)");
+  places.emplace_back(
+      "a newer version of the program that changes the tables keeps a copy of the "
+      "file beside it, FILE.v1.backup");
   page.list(places);
-  page.paragraph("The program deletes nothing on its own: data are kept until the researchers "
-                 "delete these files. How long that is, and who may see them, is for the "
-                 "researchers to say here.");
+  page.paragraph(
+      "The program deletes nothing on its own: data are kept until the researchers "
+      "delete these files. How long that is, and who may see them, is for the "
+      "researchers to say here.");
 }
 
 void tell_withdrawal(Document& page, const Study& study) {
   page.heading(2, "How people withdraw");
-  page.paragraph("During the session at any time: Esc, or the button, opens a pause from which the "
-                 "session can be ended. Afterwards the person tells the code, and the experimenter "
-                 "calls `promenade withdraw FILE CODE`.");
+  page.paragraph(
+      "During the session at any time: Esc, or the button, opens a pause from which the "
+      "session can be ended. Afterwards the person tells the code, and the experimenter "
+      "calls `promenade withdraw FILE CODE`.");
   const bool keeps = study.safety.withdrawal == study::Withdrawal::link;
   page.paragraph(
       keeps ? "Answers and trials stay, without anything that tells whose they are: the code and "
@@ -237,14 +250,15 @@ void tell_withdrawal(Document& page, const Study& study) {
               "the dates, the station and the machine are cleared ([safety] withdraw = \"link\")."
             : "Every row of the person is deleted: sessions, trials, events, samples, answers "
               "([safety] withdraw = \"everything\").");
-  page.list({"the file is written anew, so that nothing of it can be recovered from the file or "
-             "its journal",
-             "the second copy and copies of before an update are cleaned as well; the program "
-             "remembers those that are out of reach and says so until it is done",
-             "a random number without any other content stays (table tombstone), so that the "
-             "person does not come back when files of several stations are joined",
-             "reports, tables and exports that were made before are files of their own: make them "
-             "again"});
+  page.list(
+      {"the file is written anew, so that nothing of it can be recovered from the file or "
+       "its journal",
+       "the second copy and copies of before an update are cleaned as well; the program "
+       "remembers those that are out of reach and says so until it is done",
+       "a random number without any other content stays (table tombstone), so that the "
+       "person does not come back when files of several stations are joined",
+       "reports, tables and exports that were made before are files of their own: make them "
+       "again"});
 }
 
 }  // namespace

@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> checked_tables = {
-    "study",  "study_part", "amendment", "session",        "trial",
-    "event",  "sample",     "answer",    "frame_histogram"};
+const std::vector<std::string> checked_tables = {"study",   "study_part", "amendment",
+                                                 "session", "trial",      "event",
+                                                 "sample",  "answer",     "frame_histogram"};
 
 std::vector<std::string> texts_of(Database& database, const std::string& sql,
                                   const std::string& value = "") {
@@ -172,11 +172,9 @@ class Merger {
   }
 
   void put_study(Database& source, const std::string& study) {
-    const std::string set =
-        text_of(source, "SELECT motion_set FROM study WHERE uuid = ?", study);
+    const std::string set = text_of(source, "SELECT motion_set FROM study WHERE uuid = ?", study);
     const std::string hash = text_of(source, "SELECT sha256 FROM motion_set WHERE uuid = ?", set);
-    const std::string known =
-        text_of(out_, "SELECT uuid FROM motion_set WHERE sha256 = ?", hash);
+    const std::string known = text_of(out_, "SELECT uuid FROM motion_set WHERE sha256 = ?", hash);
     if (known.empty()) count("motion_set", source, {"motion_set", "uuid = ?", "uuid"}, set);
     count("study", source, {"study", "uuid = ?", "uuid"}, study);
     count("study_part", source, {"study_part", "study = ?", "path"}, study);
@@ -238,18 +236,18 @@ class Merger {
   void refuse_other_person(const Database& source, const std::string& person,
                            const std::string& code, const std::string& other) {
     refused_.insert(person);
-    problem(source,
-            "the code \"" + code + "\" is somebody else's in " + home_of_code_[code] + " (uuid " +
-                person + " here, " + other +
-                " there): two people with one code, or one at two stations; change "
-                "participant.code or participant.uuid in one of the files");
+    problem(source, "the code \"" + code + "\" is somebody else's in " + home_of_code_[code] +
+                        " (uuid " + person + " here, " + other +
+                        " there): two people with one code, or one at two stations; change "
+                        "participant.code or participant.uuid in one of the files");
   }
 
   // As Store gives them out.
   std::string next_simulated_code() {
-    const std::string digits = text_of(
-        out_, "SELECT coalesce(max(CAST(substr(code, 2) AS INTEGER)), 0) + 1 FROM participant "
-              "WHERE code GLOB 'S[0-9]*'");
+    const std::string digits =
+        text_of(out_,
+                "SELECT coalesce(max(CAST(substr(code, 2) AS INTEGER)), 0) + 1 FROM participant "
+                "WHERE code GLOB 'S[0-9]*'");
     return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
   }
 
@@ -325,8 +323,7 @@ class Merger {
   }
 
   bool is_of_withdrawn(Database& source, const std::string& code) {
-    const std::string person =
-        text_of(source, "SELECT uuid FROM participant WHERE code = ?", code);
+    const std::string person = text_of(source, "SELECT uuid FROM participant WHERE code = ?", code);
     return !person.empty() && is_withdrawn(person);
   }
 
@@ -335,17 +332,19 @@ class Merger {
     for (const auto& [table, rows] : merged_.inputs.back().taken) {
       if (rows > 0) taken[table] = rows;
     }
-    Statement insert(out_, "INSERT INTO receipt(source, sha256, merged_utc, rows_taken) "
-                           "VALUES (?,?,?,?)");
+    Statement insert(out_,
+                     "INSERT INTO receipt(source, sha256, merged_utc, rows_taken) "
+                     "VALUES (?,?,?,?)");
     insert.bind(1, source.file()).bind(2, sha256_hex(read_file(source.file())));
     insert.bind(3, utc_now()).bind(4, taken.dump()).run();
   }
 
   // Stations that dealt orders without a roster gave the same ones.
   void warn_of_orders() {
-    const std::vector<std::string> twice = texts_of(
-        out_, "SELECT sequence FROM session WHERE outcome = 'finished' AND simulated = 0 AND "
-              "pilot = 0 GROUP BY sequence HAVING count(*) > 1 ORDER BY sequence");
+    const std::vector<std::string> twice =
+        texts_of(out_,
+                 "SELECT sequence FROM session WHERE outcome = 'finished' AND simulated = 0 AND "
+                 "pilot = 0 GROUP BY sequence HAVING count(*) > 1 ORDER BY sequence");
     if (twice.empty()) return;
     std::string orders;
     for (const std::string& order : twice) orders += (orders.empty() ? "" : ", ") + order;

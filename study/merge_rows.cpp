@@ -46,8 +46,8 @@ Statement select(Database& database, const std::vector<std::string>& columns, co
 std::string text_of(Database& database, const RowsOf& rows, const std::string& value) {
   std::vector<std::string> columns;
   for (const std::string& column : columns_of(database, rows.table)) {
-    const bool counts = std::find(of_the_file.begin(), of_the_file.end(), column) ==
-                        of_the_file.end();
+    const bool counts =
+        std::find(of_the_file.begin(), of_the_file.end(), column) == of_the_file.end();
     if (counts) columns.push_back("quote(" + column + ")");
   }
   std::sort(columns.begin(), columns.end());  // old files have them in another order
@@ -86,8 +86,9 @@ std::int64_t copy_rows(Database& from, Database& to, const RowsOf& rows, const s
 TakenRows copy_session(Database& from, Database& to, const std::string& session,
                        const std::string& study) {
   TakenRows taken = {{"session", copy_rows(from, to, session_row, session)}};
-  Statement here(to, "UPDATE session SET study = ?, process = NULL, process_start = NULL "
-                     "WHERE uuid = ?");
+  Statement here(to,
+                 "UPDATE session SET study = ?, process = NULL, process_start = NULL "
+                 "WHERE uuid = ?");
   here.bind(1, study).bind(2, session).run();
   for (const RowsOf& part : session_parts) {
     taken.emplace_back(part.table, copy_rows(from, to, part, session));

@@ -91,7 +91,8 @@ void rename_trials(Database& database, const std::string& session) {
     change(database, "UPDATE answer SET about = ? WHERE session = ? AND about = ?",
            {fresh, session, trial});
     for (const char* table : tables_by_session) {
-      change(database, std::string("UPDATE ") + table + " SET trial = ? WHERE session = ? AND trial = ?",
+      change(database,
+             std::string("UPDATE ") + table + " SET trial = ? WHERE session = ? AND trial = ?",
              {fresh, session, trial});
     }
     change(database, "UPDATE trial SET uuid = ? WHERE uuid = ?", {fresh, trial});
@@ -151,8 +152,7 @@ void take_out(Database& database, const std::string& participant, Withdrawn& wit
 }
 
 std::string participant_of(Database& database, const std::string& code) {
-  const std::string uuid =
-      text_of(database, "SELECT uuid FROM participant WHERE code = ?", code);
+  const std::string uuid = text_of(database, "SELECT uuid FROM participant WHERE code = ?", code);
   if (!uuid.empty()) return uuid;
   throw InputError(database.file(),
                    "nobody in it has the code \"" + code + "\"; nothing was removed" +
@@ -180,7 +180,8 @@ void apply_tombstones(Database& from, Database& to) {
   while (grave.step()) {
     remove_person(to, grave.text(0));
     if (!remember) continue;
-    change(to, "INSERT OR IGNORE INTO tombstone(participant, withdrawn_utc, removed) VALUES (?,?,?)",
+    change(to,
+           "INSERT OR IGNORE INTO tombstone(participant, withdrawn_utc, removed) VALUES (?,?,?)",
            {grave.text(0), grave.text(1), grave.text(2)});
   }
 }
@@ -233,8 +234,8 @@ void remove_session(Database& database, const std::string& session, RowCounts& r
       {session});
   for (const char* table : {"event", "answer", "frame_histogram", "trial"}) {
     if (!has_table(database, table)) continue;  // in a backup of an older version
-    removed[table] += change(database, std::string("DELETE FROM ") + table + " WHERE session = ?",
-                             {session});
+    removed[table] +=
+        change(database, std::string("DELETE FROM ") + table + " WHERE session = ?", {session});
   }
   removed["session"] += change(database, "DELETE FROM session WHERE uuid = ?", {session});
 }

@@ -143,7 +143,8 @@ void refuse_odd_page(const std::vector<std::string>& files, const std::string& e
   if (ending != ".html" && ending != ".md") {
     throw InputError("--ethics " + ethics, "must end in .html or .md");
   }
-  if (files.size() > 1) throw InputError("--ethics " + ethics, "is about one study; name only that");
+  if (files.size() > 1)
+    throw InputError("--ethics " + ethics, "is about one study; name only that");
 }
 
 void run(const std::vector<std::string>& files, const std::string& ethics, bool json) {

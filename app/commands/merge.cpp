@@ -71,11 +71,10 @@ void report_unreached(const study::Merged& merged) {
 
 void run(const Options& options) {
   interrupted();  // from now on Ctrl-C is seen between two sessions
-  const study::Merged merged =
-      study::merge(options.out, options.inputs, [](int done, int count) {
-        show_progress("sessions", done, count);
-        return !interrupted();
-      });
+  const study::Merged merged = study::merge(options.out, options.inputs, [](int done, int count) {
+    show_progress("sessions", done, count);
+    return !interrupted();
+  });
   print_problems(merged.warnings);
   if (options.json) {
     print_json(json_of(options, merged));

@@ -27,8 +27,7 @@ struct Options {
 int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   study::Store store(options.database, bundle);
   if (!options.trace.empty()) store.trace_to(options.trace);
-  const int resumed =
-      study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
+  const int resumed = study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
   if (resumed > 0) print_note(fmt::format("went on with {} interrupted sessions", resumed));
   study::Cohort cohort;
   cohort.participants = options.participants;
@@ -59,7 +58,8 @@ int run_cohort(const Options& options, const study::StudyBundle& bundle) {
 
 void renew_copy(const Options& options, const study::StudyBundle& bundle) {
   if (!options.copy) return;
-  const auto problem = study::second_copy_problem(bundle, options.database, study::SessionHeader().station);
+  const auto problem =
+      study::second_copy_problem(bundle, options.database, study::SessionHeader().station);
   if (problem) throw OutsideError(*problem);
 }
 

@@ -20,9 +20,8 @@ Json json_of(const Options& options, const study::Withdrawn& withdrawn) {
   json["unlinked_sessions"] = withdrawn.unlinked;
   json["backups"] = Json::array();
   for (const study::ReachedBackup& backup : withdrawn.backups) {
-    json["backups"].push_back({{"path", backup.path},
-                               {"done", backup.problem.empty()},
-                               {"problem", backup.problem}});
+    json["backups"].push_back(
+        {{"path", backup.path}, {"done", backup.problem.empty()}, {"problem", backup.problem}});
   }
   return json;
 }
@@ -48,9 +47,10 @@ void report_unreached(const Options& options, const study::Withdrawn& withdrawn)
     if (!backup.problem.empty()) unreached += "\n  " + backup.path + ": " + backup.problem;
   }
   if (unreached.empty()) return;
-  throw OutsideError("these backups may still hold a person who withdrew; see to it and call "
-                     "`promenade withdraw " +
-                     options.database + "`:" + unreached);
+  throw OutsideError(
+      "these backups may still hold a person who withdrew; see to it and call "
+      "`promenade withdraw " +
+      options.database + "`:" + unreached);
 }
 
 void run(const Options& options) {

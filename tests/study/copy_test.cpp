@@ -94,7 +94,7 @@ TEST_F(CopyTest, NeverReplacesTheCopyOfAnotherDatabase) {
   fs::remove(file());
   toy::make_station(file(), {"P09"});  // somebody lost the file and began anew
   EXPECT_NE(problem().find("is the copy of another database"), std::string::npos) << problem();
-  EXPECT_EQ(read_file(copy()), before);
+  EXPECT_TRUE(read_file(copy()) == before);
 }
 
 TEST_F(CopyTest, ReplacesACopyThatIsBroken) {
@@ -117,7 +117,7 @@ TEST_F(CopyTest, KeepsTheOldCopyWhenTheNewOneIsNotWhatWasWritten) {
   const std::string before = read_file(copy());
   fs::create_directories(copy() + ".part/full");  // nothing can be written there
   EXPECT_FALSE(problem().empty());
-  EXPECT_EQ(read_file(copy()), before);
+  EXPECT_TRUE(read_file(copy()) == before);
 }
 
 TEST_F(CopyTest, SaysThatTheDatabaseIsGone) { EXPECT_FALSE(problem().empty()); }

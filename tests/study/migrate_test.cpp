@@ -98,7 +98,7 @@ TEST_F(MigrateTest, ReadsAnOldFileAndLeavesItAlone) {
   Database database = open_log(file());
   EXPECT_EQ(database.file(), file());
   EXPECT_EQ(number_in(database, "SELECT count(*) FROM session WHERE resumed = 0"), 2);
-  EXPECT_EQ(read_file(file()), before);
+  EXPECT_TRUE(read_file(file()) == before);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 

@@ -81,18 +81,21 @@ TEST_F(WithdrawTest, EmptiesTheJournalOfAnotherConnection) {
 TEST_F(WithdrawTest, KeepsAnswersAndTrialsWhereTheConsentSaysSo) {
   toy::make_station(file(), {code, "P02"}, 0, keeping);
   const std::string uuid = uuid_of(file(), code);
-  const auto answers = number_in(file(), "SELECT count(*) FROM answer JOIN trial ON trial.uuid = "
-                                         "answer.trial AND trial.session = answer.session");
+  const auto answers = number_in(file(),
+                                 "SELECT count(*) FROM answer JOIN trial ON trial.uuid = "
+                                 "answer.trial AND trial.session = answer.session");
   const Withdrawn withdrawn = withdraw(file(), code);
   EXPECT_EQ(withdrawn.unlinked, 1);
-  EXPECT_EQ(number_in(file(), "SELECT count(*) FROM answer JOIN trial ON trial.uuid = "
-                              "answer.trial AND trial.session = answer.session JOIN session ON "
-                              "session.uuid = trial.session JOIN participant ON "
-                              "participant.uuid = session.participant"),
+  EXPECT_EQ(number_in(file(),
+                      "SELECT count(*) FROM answer JOIN trial ON trial.uuid = "
+                      "answer.trial AND trial.session = answer.session JOIN session ON "
+                      "session.uuid = trial.session JOIN participant ON "
+                      "participant.uuid = session.participant"),
             answers);
-  EXPECT_EQ(number_in(file(), "SELECT count(*) FROM session WHERE outcome = 'withdrawn' AND "
-                              "started_utc = '0001-01-01T00:00:00Z' AND ended_utc = started_utc "
-                              "AND station = '' AND machine = '{}' AND process_start IS NULL"),
+  EXPECT_EQ(number_in(file(),
+                      "SELECT count(*) FROM session WHERE outcome = 'withdrawn' AND "
+                      "started_utc = '0001-01-01T00:00:00Z' AND ended_utc = started_utc "
+                      "AND station = '' AND machine = '{}' AND process_start IS NULL"),
             1);
   EXPECT_EQ(number_in(file(), "SELECT count(*) FROM pragma_foreign_key_check"), 0);
   EXPECT_EQ(times_in(file(), code), 0);
@@ -171,7 +174,7 @@ TEST_F(WithdrawTest, WritesNothingForACodeThatNobodyHas) {
   const std::string said = message_of([&] { withdraw(file(), "S01"); });
   EXPECT_NE(said.find("nobody in it has the code \"S01\""), std::string::npos) << said;
   EXPECT_NE(said.find("did you mean"), std::string::npos) << said;
-  EXPECT_EQ(read_file(file()), before);
+  EXPECT_TRUE(read_file(file()) == before);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1);
 }
 
