@@ -76,7 +76,7 @@ ReplayView::ReplayView(const study::StudyBundle& bundle,
       gui_(gui),
       logged_layout_(layout_of(log, bundle.study.display.scale)),
       language_(log.language.empty() ? bundle.study.languages.front() : log.language),
-      captions_(captions_in(language_, bundle.space.set)),
+      captions_(captions_in(language_, bundle)),
       content_{bundle.space, captions_, &player.stage().small_figures()} {}
 
 bool ReplayView::fit(int width, int height) {

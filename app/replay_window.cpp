@@ -85,7 +85,7 @@ void play_in_window(const ReplaySetting& setting, bool windowed) {
   };
   run_frames(window, {.draw_figures = draw_figures,
                       .draw_screen = draw_screen,
-                      .shown = [](std::int64_t, std::int64_t) {},
+                      .shown = [](const ShownFrame&) {},
                       .ended = [&] { return head.closed() || window.closing() || interrupted(); }});
 }
 

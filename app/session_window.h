@@ -1,10 +1,12 @@
 // A participant's session in a window.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
 #include "app/live_session.h"
+#include "app/window/input_queue.h"
 
 namespace promenade::app {
 
@@ -15,8 +17,11 @@ struct SessionSetting {
   std::string station = "1";
   std::string language;  // empty: the first page asks
   bool pilot = false, windowed = false;
-  std::optional<std::uint64_t> autopilot;  // seed of the simulated participant
-  std::string trace = {};                  // Store::trace_to; empty: none
+  std::optional<std::uint64_t> autopilot = {};  // seed of the simulated participant
+  // For measurements: is told of every event of the window as it arrives.
+  std::function<void(const UiEvent&)> watch_input = {};
+  std::string trace = {};  // Store::trace_to; empty: none
+  std::optional<int> sequence = {};  // the order that a roster gives; nothing: the next one
 };
 
 struct SessionResult {

@@ -23,6 +23,7 @@ Input input_of(const LoggedStep& step) {
   Input input;
   input.t_us = step.t_us();
   input.actor = Actor::system;
+  if (!step.sample) input.action = Wait{};
   return input;
 }
 
@@ -34,6 +35,13 @@ Session replay(const StudyBundle& bundle, const InterfaceRegistry& registry,
     const std::vector<Record> records = session.step(input_of(step));
     if (stepped) stepped(session, records);
   }
+  // The program lived on for a while.
+  Input end;
+  end.t_us = log.last_us;
+  end.actor = Actor::system;
+  end.action = Wait{};
+  const std::vector<Record> records = session.step(end);
+  if (stepped) stepped(session, records);
   return session;
 }
 

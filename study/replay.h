@@ -38,8 +38,8 @@ struct Audit {
   std::vector<Difference> differences;                // at most 100 a session
 };
 
-// Every stored weight, D and summary of the session against its replay. Numbers differ
-// from 1e-9 on, relative to the larger, or to 1e-12 where both are smaller than that.
+// Everything that is stored of the session against its replay. Numbers differ from a relative
+// difference of 1e-9 on, or where both are below 1e-3 from 1e-12 on.
 void audit(const StudyBundle& bundle, const InterfaceRegistry& registry, const LoggedSession& log,
            Audit& audit);
 

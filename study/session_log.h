@@ -41,7 +41,9 @@ struct LoggedSession {
   std::uint64_t seed = 0;
   std::vector<LoggedTrial> trials;  // by start; a repeated trial stands once an attempt
   std::vector<LoggedStep> steps;    // in the order of the log
-  std::int64_t last_seq = 0, last_us = 0;
+  std::vector<Answer> answers;      // in the order of the log; what they are about is left out
+  std::int64_t last_seq = 0;
+  std::int64_t last_us = 0;  // of its last row, or until when the program is known to have lived
 };
 
 // Throws InputError when there is no such session, or its rows are damaged.

@@ -230,6 +230,7 @@ void run(const Options& options) {
   interrupted();
   study::Database database(options.database, study::Database::Mode::read_only);
   study::check_database(database);
+  database.exec("BEGIN");  // one state of it, whoever writes meanwhile
   if (options.audit) return run_audit(options, database);
   if (options.list) return run_list(options, database);
   if (!options.folder.empty()) return run_pictures(options, database);

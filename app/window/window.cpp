@@ -168,12 +168,18 @@ void Window::stamp(UiEvent event) {
   queue_.push(event);
 }
 
+void Window::note_gap() const {
+  if (gaps_us_ != nullptr) gaps_us_->push_back(monotonic_us() - last_poll_us_);
+}
+
 void Window::poll() {
+  note_gap();
   glfwPollEvents();
   last_poll_us_ = monotonic_us();
 }
 
 void Window::wait_events(double seconds) {
+  note_gap();
   glfwWaitEventsTimeout(seconds);
   last_poll_us_ = monotonic_us();
 }
