@@ -70,7 +70,6 @@ void play_in_window(const ReplaySetting& setting, bool windowed) {
   Playhead head(projector.player.length_us(), setting.speed);
   projector.ask(window.width(), window.height());
   projector.draw_page();
-  let_renderer_threads_idle();
   std::int64_t before_us = monotonic_us();
   const auto draw_figures = [&](std::int64_t now_us) {
     head.pass(now_us - before_us);

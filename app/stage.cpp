@@ -28,8 +28,17 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
   pose(cast);
 }
 
+void Stage::enter(const Cast& cast) {
+  figure(Role::target).present = cast.target != nullptr;
+  figure(Role::reference).present = cast.reference != nullptr;
+  figure(Role::created).present = cast.created != nullptr;
+  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
+}
+
 void Stage::walk(double seconds, const Cast& cast) {
+  enter(cast);
   seconds *= pace_.playing ? pace_.speed : 0;
+  if (seconds == 0) return;
   const motion::Cycle* pace = cast.target != nullptr ? cast.target : cast.created;
   const double before = phase_;
   const double reference_before = reference_phase_;
@@ -39,14 +48,13 @@ void Stage::walk(double seconds, const Cast& cast) {
   }
   go(figure(Role::target), cast.target, before, phase_);
   go(figure(Role::reference), cast.reference, reference_before, reference_phase_);
-  // Nothing of a hidden figure may show, not even how fast its ground would go by.
-  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
   go(figure(Role::created), cast.created, before, phase_);
   phase_ -= std::floor(phase_);
   reference_phase_ -= std::floor(reference_phase_);
 }
 
 void Stage::pose(const Cast& cast) {
+  enter(cast);
   pose(figure(Role::target), cast.target, phase_);
   pose(figure(Role::reference), cast.reference, reference_phase_);
   pose(figure(Role::created), cast.created, phase_);
@@ -63,7 +71,7 @@ double Stage::walked(const motion::Cycle& cycle, double phase, double seconds) c
 }
 
 void Stage::go(Figure& figure, const motion::Cycle* cycle, double before, double phase) {
-  figure.present = cycle != nullptr;
+  // Nothing of a hidden figure may show, not even how fast its ground would go by.
   if (cycle == nullptr || figure.hidden || !travels_) return;
   // In its own time, so that its feet stay where they stand.
   const double seconds =

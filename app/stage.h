@@ -73,6 +73,7 @@ class Stage {
   const Figure& figure(Role role) const { return figures_[static_cast<std::size_t>(role)]; }
   Figure& figure(Role role) { return figures_[static_cast<std::size_t>(role)]; }
   double walked(const motion::Cycle& cycle, double phase, double seconds) const;
+  void enter(const Cast& cast);
   void go(Figure& figure, const motion::Cycle* cycle, double before, double phase);
   void pose(Figure& figure, const motion::Cycle* cycle, double phase);
   Box spot(const Box& stage, Role role) const;

@@ -137,9 +137,7 @@ void TrialPlayer::measure() {
                             study::task_of(bundle_.study, planned).distance);
     d_ = motion::distance(*trial.target_points, points_).mean_m;
   }
-  const Cast cast = trial_cast(bundle_, *session_, cycle_);
-  stage_.walk(0, cast);  // who is there
-  stage_.pose(cast);
+  stage_.pose(trial_cast(bundle_, *session_, cycle_));
 }
 
 }  // namespace promenade::app
