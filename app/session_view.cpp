@@ -147,6 +147,21 @@ void SessionView::take_presses() {
   }
 }
 
+// Another page, or one that covers it; what was written belongs to its own page.
+bool SessionView::is_fresh() {
+  const study::Session& session = live_.session();
+  const bool turned = page_ != &session.page();
+  const int cover = (session.paused() ? 1 : 0) + (memory_.panel.open ? 2 : 0);
+  const bool covered = cover_ != cover;
+  page_ = &session.page();
+  cover_ = cover;
+  if (turned) {
+    memory_.drafts.clear();
+    memory_.orders.clear();
+  }
+  return turned || covered;
+}
+
 void SessionView::frame(std::int64_t now_us) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = std::max(1e-4f, 1e-6f * static_cast<float>(now_us - drawn_us_));
@@ -155,9 +170,8 @@ void SessionView::frame(std::int64_t now_us) {
   take_presses();
   actions_.clear();
   changes_.clear();
-  const bool fresh = page_ != &live_.session().page() || paused_ != live_.session().paused();
-  page_ = &live_.session().page();
-  paused_ = live_.session().paused();
+  orders_.clear();
+  const bool fresh = is_fresh();
   if (fresh) {
     widgets_.clear();
     focus_.leave();
@@ -172,16 +186,20 @@ void SessionView::frame(std::int64_t now_us) {
                .registry = registry_,
                .content = content_,
                .language = language_,
+               .participant = live_.participant(),
                .languages = languages_,
                .now_us = live_.since_began(now_us),
                .pilot = options_.pilot,
                .simulated = options_.simulated,
                .fresh = fresh,
+               .chord = queue_.chord(),
                .failure = live_.failure() ? live_.failure()->c_str() : nullptr,
+               .copy_problem = copy_problem_.empty() ? nullptr : copy_problem_.c_str(),
                .stage = stage_,
                .stage_plan = stage_plan(),
                .memory = memory_,
                .actions = actions_,
+               .orders = orders_,
                .changes = changes_});
   ImGui::Render();
   take_actions();
@@ -203,6 +221,9 @@ void SessionView::take_actions() {
   }
   if (memory_.wants_end) return stop(closed_by_hand, moment.t_us, study::Actor::participant);
   for (StudyAction& action : actions_) live_.take(std::move(action), moment);
+  for (StudyAction& order : orders_) {
+    live_.take(std::move(order), moment, study::Actor::experimenter);
+  }
   const std::string& chosen = live_.session().language();
   if (!chosen.empty() && chosen != language_) speak(chosen);
 }
