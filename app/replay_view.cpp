@@ -121,16 +121,20 @@ void ReplayView::draw_page() {
                .registry = registry_,
                .content = content_,
                .language = language_,
+               .participant = log_.participant,
                .languages = languages_,
                .now_us = player_.session_us(),
                .pilot = log_.pilot,
                .simulated = log_.simulated,
                .fresh = false,
+               .chord = false,
                .failure = nullptr,
+               .copy_problem = nullptr,
                .stage = player_.stage(),
                .stage_plan = stage_plan(),
                .memory = memory_,
                .actions = actions_,
+               .orders = actions_,
                .changes = changes_});
 }
 
