@@ -75,9 +75,15 @@ bool names_its_set(const TomlTable& root) {
   return root.reader().whole() || (section && section->has("set"));
 }
 
-std::shared_ptr<const AdjectiveModel> default_adjectives(const std::string& builtin_set) {
-  auto model = builtin_adjective_model(builtin_set);
-  return model ? std::make_shared<const AdjectiveModel>(std::move(*model)) : nullptr;
+// In the order of the set; ratings of other motions keep their own, and whoever uses them says
+// so once.
+RatingsTable ratings_in(const std::string& file, const std::string& text,
+                        const motion::MotionSet& set) {
+  try {
+    return read_ratings_csv(file, text, motion::names_of(set));
+  } catch (const InputError&) {
+    return read_ratings_csv(file, text, {});
+  }
 }
 
 // Made once, and only when an interface asks: of ratings by simulated raters, which are part
@@ -85,12 +91,9 @@ std::shared_ptr<const AdjectiveModel> default_adjectives(const std::string& buil
 std::shared_ptr<const AdjectiveModel> adjectives_of(StudyFiles& files, StudyBundle& bundle) {
   const auto builtin = motion::builtin_name(bundle.study.set);
   if (bundle.adjectives || !builtin) return bundle.adjectives;
-  // Its own ratings cannot be used, which was said: no need to say more of them.
-  if (!bundle.study.ratings_file.empty()) return default_adjectives(*builtin);
   const std::string path = simulated_ratings_path(*builtin);
-  RatingsTable table = read_ratings_csv(builtin_path(path), files.read_builtin(path),
-                                        motion::names_of(bundle.space.set));
-  const std::string source = fmt::format("{} simulated raters", table.raters);
+  RatingsTable table = ratings_in(builtin_path(path), files.read_builtin(path), bundle.space.set);
+  const std::string source = describe(RaterOptions{.raters = table.raters});
   bundle.adjectives =
       std::make_shared<const AdjectiveModel>(make_adjective_model(std::move(table), source));
   return bundle.adjectives;

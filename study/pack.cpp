@@ -98,11 +98,11 @@ StudyBundle unpack_study(std::string_view bytes, const std::string& file,
   const Pack pack = read_pack(bytes, file);
   StudyBundle bundle = read_frozen_study(file, pack.study, registry);
   if (bundle.sha256 == pack.study_sha256) return bundle;
-  throw InputError(file,
-                   "was packed by Promenade " + pack.program_version +
-                       ", which declares its interfaces otherwise than this one (" +
-                       std::string(program_version()) +
-                       "); use that version, or pack the study file again as a changed study");
+  throw InputError(
+      file, "was packed by Promenade " + pack.program_version +
+                ", which declares its interfaces or draws its targets otherwise than this one (" +
+                std::string(program_version()) +
+                "); use that version, or pack the study file again as a changed study");
 }
 
 }  // namespace promenade::study

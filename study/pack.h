@@ -28,8 +28,8 @@ bool is_packed(std::string_view bytes);
 // Throws InputError with `file` as its place when the bytes are not a whole pack.
 Pack read_pack(std::string_view bytes, const std::string& file);
 
-// The study in it, ready to run. Throws InputError also when its interfaces are declared
-// otherwise in this program, so that its hash would be another one.
+// The study in it, ready to run. Throws InputError also when this program declares its
+// interfaces or draws its targets otherwise, so that its hash would be another one.
 StudyBundle unpack_study(std::string_view bytes, const std::string& file,
                          const InterfaceRegistry& registry);
 

@@ -147,8 +147,8 @@ TEST(TargetFiles, BecomePartOfTheStudy) {
   const StudyBundle bundle = bundle_of("[{ file = 'targets.csv' }]", csv);
   EXPECT_EQ(names_of(bundle.study.tasks[0].targets), (std::vector<std::string>{"m", "n"}));
   EXPECT_EQ(*bundle.study.tasks[0].targets[0].weights, Eigen::Vector3d(0, 0.25, 0.75));
-  ASSERT_EQ(bundle.parts.size(), 1U);
-  EXPECT_EQ(bundle.parts[0].content, csv);
+  ASSERT_EQ(bundle.parts.size(), 2U) << "the first one is the texts";
+  EXPECT_EQ(bundle.parts[1].content, csv);
   EXPECT_NE(bundle.sha256, bundle_of("[{ file = 'targets.csv' }]", csv + "\n").sha256);
 }
 

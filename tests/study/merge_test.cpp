@@ -123,7 +123,8 @@ TEST_F(MergeTest, CarriesEveryVersionOfAnAmendedStudy) {
                       "SELECT count(*) FROM amendment JOIN study ON study.uuid = "
                       "amendment.previous WHERE reason = 'a typo'"),
             1);
-  EXPECT_EQ(number_in(out(), "SELECT count(*) FROM study_part"), 1);
+  EXPECT_EQ(number_in(out(), "SELECT count(*) FROM study_part WHERE path = 'x.csv'"), 1);
+  EXPECT_EQ(number_in(out(), "SELECT same_orders FROM amendment"), 1);
   EXPECT_EQ(number_in(out(), "SELECT count(*) FROM session WHERE study = 'new'"), 1);
 }
 

@@ -129,7 +129,7 @@ std::vector<BrokenPack> broken_packs() {
       {"a cut set", pack_with(set.substr(0, 100), {}), "is cut"},
       {"one part twice", pack_with(set, {part, part}), "twice"},
       {"parts out of order", pack_with(set, {{"b.csv", ""}, part}), "out of order"},
-      {"other parts than were packed", pack_with(set, {part}), "declares its interfaces otherwise"},
+      {"other parts than were packed", pack_with(set, {part}), "otherwise than this one"},
   };
 }
 
