@@ -11,7 +11,7 @@
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/replay_window.h"
-#include "study/schema.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
 #include "study/stored_study.h"
 #include "study/trial_list.h"
@@ -228,8 +228,7 @@ void run_pictures(const Options& options, study::Database& database) {
 
 void run(const Options& options) {
   interrupted();
-  study::Database database(options.database, study::Database::Mode::read_only);
-  study::check_database(database);
+  study::Database database = study::open_log(options.database);
   database.exec("BEGIN");  // one state of it, whoever writes meanwhile
   if (options.audit) return run_audit(options, database);
   if (options.list) return run_list(options, database);
