@@ -28,18 +28,25 @@ constexpr const char* session_query =
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
     "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
-    "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
+    "FROM trial WHERE practice = 0 AND superseded = 0 ORDER BY session, position, uuid";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
 
-// Databases of before there were pauses have no column of them.
+bool has_column(Database& database, std::string_view column) {
+  Statement known(database, "SELECT 1 FROM pragma_table_info('trial') WHERE name = ?");
+  return known.bind(1, column).step();
+}
+
+// Databases of before there were pauses and repeated trials have no columns of them.
 std::string trial_query_for(Database& database) {
-  constexpr std::string_view column = "coalesce(paused_us, 0)";
   std::string query = trial_query;
-  Statement known(database, "SELECT 1 FROM pragma_table_info('trial') WHERE name = 'paused_us'");
-  if (!known.step()) query.replace(query.find(column), column.size(), "0");
+  const auto without = [&](std::string_view column, std::string_view text, std::string_view instead) {
+    if (!has_column(database, column)) query.replace(query.find(text), text.size(), instead);
+  };
+  without("paused_us", "coalesce(paused_us, 0)", "0");
+  without("superseded", "superseded = 0", "1");
   return query;
 }
 
@@ -50,23 +57,6 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   if (std::isfinite(value)) return value;
   ++dropped;
   return std::nullopt;
-}
-
-Database open(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
-  if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file, "is a folder; name the .db file of a study");
-  }
-  Database database(file, Database::Mode::read_only);
-  study::check_database(database);
-  Statement check(database, "PRAGMA quick_check(1)");
-  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
-  for (const char* table : {"session", "trial", "answer"}) {
-    Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
-    if (lost.step()) throw InputError(file, study::damaged_database);
-  }
-  return database;
 }
 
 LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
@@ -95,8 +85,12 @@ LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
 class Reader {
  public:
   void read(const std::string& file) {
-    Database database = open(file);
-    log_.files.push_back({file, "", 0, 0, 0});
+    Database database = open_database(file);
+    read(database);
+  }
+
+  void read(Database& database) {
+    log_.files.push_back({database.file(), "", 0, 0, 0});
     read_study(database);
     read_sessions(database);
     read_trials(database);
@@ -177,6 +171,34 @@ bool is_about_content(const study::DatabaseError& error) {
 }
 
 }  // namespace
+
+Database open_database(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
+  if (std::filesystem::is_directory(file, error)) {
+    throw InputError(file, "is a folder; name the .db file of a study");
+  }
+  Database database(file, Database::Mode::read_only);
+  study::check_database(database);
+  Statement check(database, "PRAGMA quick_check(1)");
+  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
+  for (const char* table : {"session", "trial", "answer"}) {
+    Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
+    if (lost.step()) throw InputError(file, study::damaged_database);
+  }
+  return database;
+}
+
+void refuse_content(const std::string& file, const study::DatabaseError& error) {
+  if (is_about_content(error)) throw InputError(file, study::damaged_database);
+  throw error;
+}
+
+Log read_log(Database& database) {
+  Reader reader;
+  reader.read(database);
+  return reader.take();
+}
 
 Log read_log(const std::vector<std::string>& files) {
   Reader reader;
