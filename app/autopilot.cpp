@@ -34,7 +34,7 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
   switch (stage_) {
     case Stage::thinking:
       if (now_us_ < due_us_) return;
-      return has_errand_ ? enter(Stage::reaching, 0) : think(session);
+      return has_errand_ ? enter(Stage::reaching, 0) : think(session, widgets);
     case Stage::reaching:
       return reach(widgets, queue);
     case Stage::pressing:
@@ -73,8 +73,13 @@ Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& act
   return {};
 }
 
-void Autopilot::think(const study::Session& session) {
+void Autopilot::think(const study::Session& session, const WidgetMap& widgets) {
   page_ = &session.page();
+  if (const Widget* offer = widgets.find_first("press", "resume:")) {
+    has_errand_ = true;
+    errand_ = {"press", offer->target};
+    return enter(Stage::thinking, 1);
+  }
   if (page_->kind == PageKind::welcome && !code_typed_) {
     has_errand_ = true;
     errand_ = {"type", "code"};

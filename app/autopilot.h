@@ -33,7 +33,7 @@ class Autopilot {
     double x = study::no_value, y = study::no_value;  // where a plane is pressed
   };
 
-  void think(const study::Session& session);
+  void think(const study::Session& session, const WidgetMap& widgets);
   Errand errand_of(const decltype(study::Input::action)& action) const;
   static Point aim_at(const Widget& widget, const Errand& errand);
   void start_moving(Point to);

@@ -13,6 +13,7 @@ void add_check_command(CLI::App& program);
 void add_plan_command(CLI::App& program);
 void add_run_command(CLI::App& program);
 void add_simulate_command(CLI::App& program);
+void add_replay_command(CLI::App& program);
 void add_model_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_stats_command(CLI::App& program);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "study/identity.h"
+#include "study/replay.h"
 
 namespace promenade::app {
 
@@ -56,6 +57,32 @@ bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
   });
   if (!refused) waiting_.clear();
   return !refused;
+}
+
+bool LiveSession::resume(const std::string& uuid, const study::StudyBundle& bundle,
+                         const study::InterfaceRegistry& registry, std::int64_t now_us) {
+  bool taken = false;
+  guard([&] {
+    const study::LoggedSession log = store_.read_session(uuid);
+    study::Session session = study::replay(bundle, registry, log);
+    try {
+      store_.resume_session(log, session.plan());
+    } catch (const study::TakenError&) {
+      taken = true;
+      return;
+    }
+    session_ = std::move(session);
+    header_.participant = log.participant;
+    header_.language = log.language;
+    last_us_ = log.last_us;
+    began_us_ = now_us - last_us_;
+    recorded_ = resumed_ = true;
+    waiting_.clear();
+    const std::int64_t gap_us = study::gap_us(log, study::utc_now());
+    take(study::Interrupted{gap_us, bundle.study.safety.resume}, {.t_us = now_us},
+         study::Actor::system);
+  });
+  return !taken;
 }
 
 void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {

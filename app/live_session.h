@@ -27,11 +27,21 @@ class LiveSession {
   LiveSession(study::Session session, study::Store& store, study::SessionHeader header,
               std::int64_t began_us);
 
+  // Goes on with a session that was interrupted, by the policy of its study; before anything
+  // of this one is recorded. False: another process does so already. `bundle` and `registry`
+  // are those of this session.
+  bool resume(const std::string& uuid, const study::StudyBundle& bundle,
+              const study::InterfaceRegistry& registry, std::int64_t now_us);
+
   // Only on the first page. False: the code must be new but is already used, and
   // nothing is stored yet. Takes the next free order when another session took ours;
   // a simulated participant takes the next free code as well.
   bool record_as(const std::string& participant, bool must_be_new);
   bool recorded() const { return recorded_; }
+  bool resumed() const { return resumed_; }
+  const std::string& participant() const { return header_.participant; }
+  const std::string& language() const { return header_.language; }
+  study::Store& store() { return store_; }
 
   void take(StudyAction action, const Moment& moment,
             study::Actor actor = study::Actor::participant);
@@ -60,6 +70,7 @@ class LiveSession {
   std::int64_t last_us_ = 0;  // of the last input, since the beginning
   std::int64_t flushed_us_ = 0;
   bool recorded_ = false;
+  bool resumed_ = false;
   bool unwritten_ = false;              // something waits for the next flush
   std::vector<study::Record> waiting_;  // from before record_as()
   std::optional<std::string> failure_;

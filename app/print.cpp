@@ -25,6 +25,8 @@ void print_json(const Json& document) {
   print_text(document.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n");
 }
 
+void print_note(const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); }
+
 void print_problems(const std::vector<Problem>& problems) {
   for (const Problem& problem : problems) std::fprintf(stderr, "%s\n", to_text(problem).c_str());
 }

@@ -16,6 +16,7 @@ using Json = nlohmann::ordered_json;
 // Names that are not UTF-8 must not end the program: their bytes are replaced.
 void print_json(const Json& document);
 void print_text(const std::string& text);                   // to stdout
+void print_note(const std::string& sentence);               // to stderr
 void print_problems(const std::vector<Problem>& problems);  // to stderr
 
 Json to_json(const Problem& problem);

@@ -77,6 +77,7 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
   std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
+  memory_.offered = options.interrupted;
 }
 
 void SessionView::speak(const std::string& language) {
@@ -202,6 +203,7 @@ void SessionView::take_actions() {
   for (study::ControlInput& change : changes_) {
     live_.take(study::Control{std::move(change)}, moment);
   }
+  if (!memory_.resume.empty()) return resume(memory_.resume, moment.t_us);
   if (memory_.wants_start) leave_welcome();
   if (live_.failure()) {
     closed_ = closed_ || !actions_.empty();
@@ -216,10 +218,21 @@ void SessionView::take_actions() {
 void SessionView::leave_welcome() {
   memory_.wants_start = false;
   const std::string code = memory_.code.data();
-  // A code given on the command line is the experimenter's word.
-  memory_.code_refused = !live_.record_as(code, code != options_.participant);
-  if (memory_.code_refused || live_.failure()) return;
+  for (const study::InterruptedSession& one : options_.interrupted) {
+    if (one.participant == code) return resume(one.uuid, drawn_us_);
+  }
+  memory_.code_known = !live_.record_as(code, !memory_.same_person);
+  memory_.same_person = false;
+  if (memory_.code_known || live_.failure()) return;
   actions_.emplace_back(study::Continue{});
+}
+
+void SessionView::resume(const std::string& uuid, std::int64_t now_us) {
+  memory_.resume.clear();
+  memory_.offered.clear();
+  if (!live_.resume(uuid, bundle_, registry_, now_us)) return;  // the first page is still open
+  memory_.back_again = live_.session().paused();
+  speak(live_.language());
 }
 
 void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {

@@ -15,6 +15,7 @@ struct ViewOptions {
   std::string language = "en";  // empty: the first page asks
   std::string participant;      // empty: the welcome page asks
   bool pilot = false, simulated = false;
+  std::vector<study::InterruptedSession> interrupted = {};  // here, of this kind
 };
 
 // Every text that the pages can show, in every language of the study.
@@ -56,6 +57,7 @@ class SessionView {
   void take_presses();
   void take_actions();
   void leave_welcome();
+  void resume(const std::string& uuid, std::int64_t now_us);
   void speak(const std::string& language);
 
   const study::StudyBundle& bundle_;

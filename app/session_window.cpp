@@ -42,7 +42,7 @@ class Player {
         live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
     fit();
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
-                                          view_options());
+                                          view_options(store));
     if (setting.autopilot) {
       autopilot_ = std::make_unique<Autopilot>(
           study::SimulatedParticipant(setting.bundle, interfaces(), *setting.autopilot),
@@ -82,9 +82,16 @@ class Player {
             setting.language.empty()};
   }
 
-  ViewOptions view_options() const {
-    return {setting_.language, setting_.participant, setting_.pilot,
-            setting_.autopilot.has_value()};
+  // Whose code was given is asked for nobody else.
+  ViewOptions view_options(study::Store& store) const {
+    const bool simulated = setting_.autopilot.has_value();
+    ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
+    for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
+      const bool wanted =
+          setting_.participant.empty() || setting_.participant == one.participant;
+      if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
+    }
+    return options;
   }
 
   void fit() {
@@ -192,6 +199,7 @@ SessionResult run_session(const SessionSetting& setting) {
   }
   require_fonts();
   study::Store store(setting.database, setting.bundle);
+  if (!setting.trace.empty()) store.trace_to(setting.trace);
   return Player(setting, store).play();
 }
 

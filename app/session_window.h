@@ -16,6 +16,7 @@ struct SessionSetting {
   std::string language;  // empty: the first page asks
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;  // seed of the simulated participant
+  std::string trace = {};                  // Store::trace_to; empty: none
 };
 
 struct SessionResult {

@@ -57,6 +57,15 @@ class WidgetMap {
     }
     return nullptr;
   }
+  // The first whose target begins so.
+  const Widget* find_first(std::string_view kind, std::string_view beginning) const {
+    for (std::size_t i = 0; i < used_; ++i) {
+      if (widgets_[i].kind == kind && widgets_[i].target.rfind(beginning, 0) == 0) {
+        return &widgets_[i];
+      }
+    }
+    return nullptr;
+  }
   std::size_t size() const { return used_; }
   const Widget& operator[](std::size_t i) const { return widgets_[i]; }  // in the order drawn
 

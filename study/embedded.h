@@ -4,7 +4,9 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace promenade::study {
 
@@ -18,5 +20,8 @@ std::span<const EmbeddedFile> embedded_files();
 
 // The content of "languages/en.toml" and the like; nothing if there is none.
 std::optional<std::string_view> embedded_file(std::string_view path);
+
+// "en", "ja" of the folder "languages": the names of its files without ".toml", sorted.
+std::vector<std::string> embedded_names(std::string_view folder);
 
 }  // namespace promenade::study

@@ -35,6 +35,19 @@ std::string utc_now() {
   return text.data();
 }
 
+std::optional<std::int64_t> seconds_between(const std::string& from, const std::string& to) {
+  const auto seconds = [](const std::string& text) -> std::optional<std::int64_t> {
+    std::tm parts{};
+    const char* end = ::strptime(text.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts);
+    if (end == nullptr || *end != '\0') return std::nullopt;
+    return ::timegm(&parts);
+  };
+  const auto a = seconds(from);
+  const auto b = seconds(to);
+  if (!a || !b) return std::nullopt;
+  return *b - *a;
+}
+
 std::string_view program_version() { return PROMENADE_VERSION; }
 
 std::string random_uuid() {

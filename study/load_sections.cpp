@@ -25,9 +25,9 @@ bool has_control(const std::string& text) {
 }
 
 void warn_of_missing(const TomlTable& table, std::string_view key, const std::string& what,
-                     const LocalText& text, const Study& study) {
+                     const LocalText& text, const std::vector<std::string>& languages) {
   if (text.empty()) return;
-  for (const std::string& language : study.languages) {
+  for (const std::string& language : languages) {
     if (text.count(language) > 0) continue;
     table.warning(key, what + " has no text in \"" + language + "\"; \"" + text_in(text, language) +
                            "\" is shown");
@@ -88,20 +88,30 @@ std::string read_name(const TomlTable& table) {
 }
 
 LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study) {
+  return read_local_text(table, key, study.languages);
+}
+
+LocalText read_local_text(const TomlTable& table, std::string_view key,
+                          const std::vector<std::string>& languages) {
   LocalText text;
   if (table.is(key, TomlValue::Kind::table)) {
     text = texts_by_language(*table.table(key));
   } else if (const auto words = table.text(key)) {
     text["en"] = *words;
   }
-  warn_of_missing(table, key, "\"" + std::string(key) + "\"", text, study);
+  warn_of_missing(table, key, "\"" + std::string(key) + "\"", text, languages);
   return text;
 }
 
 LocalText read_languages(const TomlTable& table, const std::string& name, const Study& study) {
+  return read_languages(table, name, study.languages);
+}
+
+LocalText read_languages(const TomlTable& table, const std::string& name,
+                         const std::vector<std::string>& languages) {
   LocalText text = texts_by_language(table);
   if (text.empty()) text["en"] = name;
-  warn_of_missing(table, "", "\"" + name + "\"", text, study);
+  warn_of_missing(table, "", "\"" + name + "\"", text, languages);
   return text;
 }
 

@@ -231,7 +231,6 @@ void refuse_early_starts(const std::vector<TomlTable>& tables, const Study& stud
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context) {
   std::vector<Task> tasks;
   std::vector<std::string> names;
-  if (!root.has("task")) root.error("a study needs at least one [[task]]");
   const std::vector<TomlTable> tables = root.tables("task");
   for (const TomlTable& table : tables) {
     tasks.push_back(read_task(table, context, tasks));
@@ -243,6 +242,7 @@ std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context)
   if (!root.has("interface") && !only_rated) {
     root.error("a study needs at least one [[interface]]");
   }
+  if (!root.has("task")) root.error("a study needs at least one [[task]]");
   refuse_doubles(tables, names, "task");
   refuse_early_starts(tables, context.study, tasks);
   return tasks;

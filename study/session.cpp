@@ -64,6 +64,7 @@ Session::Session(const StudyBundle& bundle, const InterfaceRegistry& registry, P
 }
 
 Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 void Session::change_sequence(int sequence) {

@@ -214,6 +214,7 @@ class Session {
   Session(const StudyBundle& bundle, const InterfaceRegistry& registry, Plan plan,
           bool asks_language = false);
   Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
   ~Session();
 
   // Time limits and dwell times that passed before the input come first, stamped

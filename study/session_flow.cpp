@@ -88,16 +88,14 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
   const Practice& rule = session.bundle_->study.practice;
   const std::vector<PlannedTrial>& trials = session.plan_.trials;
   const Page& page = session.page();
-  if (rule.until != Practice::Until::criterion || page.trial < 0) return false;
+  if (rule.until != Practice::Until::criterion || page.kind != PageKind::trial) return false;
   const PlannedTrial& last = trials[static_cast<std::size_t>(page.trial)];
   const auto with_it = [&last](const PlannedTrial& trial) {
     return trial.practice && trial.block == last.block;
   };
   const std::size_t next = static_cast<std::size_t>(page.trial) + 1;
   const bool goes_on = next < trials.size() && with_it(trials[next]);
-  if (!last.practice || goes_on || !belongs_to(session.bundle_->study, page, page.trial)) {
-    return false;
-  }
+  if (!last.practice || goes_on) return false;
   int first = page.trial, wanted = 0, good = 0;
   for (int i = page.trial; i >= 0 && with_it(trials[static_cast<std::size_t>(i)]); --i) {
     first = i;
@@ -160,7 +158,10 @@ void Session::Steps::act(const Skip& skip) {
   log("skip").detail = json_text("reason", skip.reason);
   emit_answers();
   if (between) return next_page(input.t_us);
-  if (!session.trial_) begin_trial(input.t_us);
+  if (!session.trial_) {
+    ++session.page_;
+    begin_trial(input.t_us);
+  }
   end_trial(input.t_us, TrialOutcome::skipped);
   leave_trial(input.t_us);
 }

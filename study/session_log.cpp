@@ -1,8 +1,11 @@
 #include "study/session_log.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "motion/bytes.h"
+#include "study/identity.h"
 #include "study/sqlite.h"
 
 namespace promenade::study {
@@ -163,6 +166,16 @@ LoggedSession read_session(Database& database, const std::string& uuid) {
   LoggedSession session = header_of(database, uuid);
   read_steps(database, read_trials(database, session), session);
   return session;
+}
+
+std::int64_t gap_us(const LoggedSession& session, const std::string& now_utc) {
+  const auto since_start_s = seconds_between(session.started_utc, now_utc);
+  if (!since_start_s) return 0;
+  double gap_s = static_cast<double>(*since_start_s) - 1e-6 * static_cast<double>(session.last_us);
+  for (const LoggedStep& step : session.steps) {
+    if (!step.sample && step.event.kind == "interrupted") gap_s -= step.event.value.value_or(0);
+  }
+  return std::max<std::int64_t>(0, std::llround(1e6 * gap_s));
 }
 
 std::vector<std::string> session_uuids(Database& database) {

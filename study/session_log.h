@@ -44,6 +44,10 @@ struct LoggedSession {
 // Throws InputError when there is no such session, or its rows are damaged.
 LoggedSession read_session(Database& database, const std::string& uuid);
 
+// How long the session has stood by the wall clock when it is `now_utc`: since its last event,
+// and without the gaps before. At least 0, whatever became of the clock.
+std::int64_t gap_us(const LoggedSession& session, const std::string& now_utc);
+
 // The uuids of all sessions, by start.
 std::vector<std::string> session_uuids(Database& database);
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "study/identity.h"
+#include "study/replay.h"
 
 namespace promenade::study {
 namespace {
@@ -143,41 +144,97 @@ bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry,
 
 }  // namespace
 
-Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                     const Plan& plan, std::uint64_t seed) {
-  SimulatedParticipant participant(bundle, registry, seed);
-  Session session(bundle, registry, plan);
-  Steps steps;
-  Input input;
-  const auto step = [&](std::int64_t wait_us, decltype(Input::action) action) {
-    input.t_us += wait_us;
-    input.actor = std::holds_alternative<Release>(action) ? Actor::experimenter : Actor::participant;
-    input.action = std::move(action);
-    steps.push_back(session.step(input));
-  };
+namespace {
+
+// A session that a simulated participant plays, from where it stands to its end.
+class PlayedSession {
+ public:
+  using Sink = std::function<void(std::vector<Record>)>;
+  PlayedSession(const StudyBundle& bundle, const InterfaceRegistry& registry, Session& session,
+                std::uint64_t seed, std::int64_t from_us, Sink sink)
+      : participant_(bundle, registry, seed), session_(session), sink_(std::move(sink)) {
+    input_.t_us = from_us;
+  }
+
+  void play() {
+    while (!session_.ended()) {
+      if (input_.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
+      act(participant_.next(session_));
+    }
+  }
+
+  void step(std::int64_t wait_us, decltype(Input::action) action) {
+    input_.t_us += wait_us;
+    const bool by_experimenter = std::holds_alternative<Release>(action);
+    const bool by_system = std::holds_alternative<Interrupted>(action);
+    input_.actor = by_experimenter ? Actor::experimenter
+                   : by_system     ? Actor::system
+                                   : Actor::participant;
+    input_.action = std::move(action);
+    sink_(session_.step(input_));
+  }
+
+ private:
   // Frames pass while the controls glide, so that what they pass by is measured.
-  const auto wait = [&](std::int64_t wait_us) {
-    while (wait_us > frame_us && glides(session)) {
+  std::int64_t wait(std::int64_t wait_us) {
+    while (wait_us > frame_us && glides(session_)) {
       step(frame_us, Tick{});
       wait_us -= frame_us;
     }
     return wait_us;
-  };
-  while (!session.ended()) {
-    if (input.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
-    Intention intention = participant.next(session);
-    const Page page = session.page();
+  }
+
+  void act(Intention intention) {
+    const Page page = session_.page();
     if (!by_hand(intention.action)) {
-      step(wait(intention.wait_us), std::move(intention.action));
-      continue;
+      return step(wait(intention.wait_us), std::move(intention.action));
     }
     step(wait(std::max<std::int64_t>(0, intention.wait_us - press_to_action_us)), Press{});
     // The page may have changed under the hand.
-    const Page& now = session.page();
+    const Page& now = session_.page();
     const bool same = now.kind == page.kind && now.trial == page.trial;
     if (same) step(press_to_action_us, std::move(intention.action));
   }
+
+  SimulatedParticipant participant_;
+  Session& session_;
+  Sink sink_;
+  Input input_;
+};
+
+void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& registry, Store& store,
+                      const InterruptedSession& interrupted, std::uint64_t seed) {
+  const LoggedSession log = store.read_session(interrupted.uuid);
+  Session session = replay(bundle, registry, log);
+  store.resume_session(log, session.plan());
+  PlayedSession played(bundle, registry, session,
+                       Rng(seed, log.seed, "resumed").next(), log.last_us,
+                       [&store](const std::vector<Record>& step) { store.write(step); });
+  played.step(0, Interrupted{gap_us(log, utc_now()), bundle.study.safety.resume});
+  played.play();
+  store.end_session(utc_now());
+}
+
+}  // namespace
+
+Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                     const Plan& plan, std::uint64_t seed) {
+  Steps steps;
+  Session session(bundle, registry, plan);
+  PlayedSession(bundle, registry, session, seed, 0, [&steps](std::vector<Record> step) {
+    if (!step.empty()) steps.push_back(std::move(step));
+  }).play();
   return steps;
+}
+
+int resume_simulated_sessions(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                              Store& store, std::uint64_t seed) {
+  int done = 0;
+  for (const InterruptedSession& one : store.interrupted_sessions(true, false)) {
+    resume_simulated(bundle, registry, store, one, seed);
+    ++done;
+  }
+  return done;
 }
 
 std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,

@@ -17,6 +17,10 @@ Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registr
 std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
                                      const Plan& plan, std::uint64_t seed);
 
+// Plays the simulated sessions to their end that were interrupted. Returns how many.
+int resume_simulated_sessions(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                              Store& store, std::uint64_t seed);
+
 struct Cohort {
   int participants = 1;
   std::uint64_t seed = 1;

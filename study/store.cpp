@@ -1,5 +1,6 @@
 #include "study/store.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cassert>
@@ -37,6 +38,23 @@ bool holds_order(const Statement& row) {
          (row.text(0) == "running" && lives(row.integer(1), row.text(2)));
 }
 
+// A file that is closed with its owner; -1: none.
+class FileHandle {
+ public:
+  FileHandle() = default;
+  ~FileHandle() { reset(-1); }
+  FileHandle(const FileHandle&) = delete;
+  FileHandle& operator=(const FileHandle&) = delete;
+  int get() const { return handle_; }
+  void reset(int handle) {
+    if (handle_ >= 0) ::close(handle_);
+    handle_ = handle;
+  }
+
+ private:
+  int handle_ = -1;
+};
+
 constexpr std::string_view when_words[] = {"start", "trial", "task", "block", "end"};
 
 }  // namespace
@@ -70,8 +88,11 @@ struct Store::Implementation {
   bool durable = true;  // a simulated participant can be asked again
   bool open = false;    // a transaction
   bool due = false;     // what it holds is to be durable
+  FileHandle trace;
+  std::string ended;  // the trial that this step ended
   int unchecked = 0;    // simulated sessions since the last checkpoint
 
+  void say(const std::string& line) const;  // to the trace
   void begin();
   void commit();
   void commit_durably();
@@ -89,6 +110,12 @@ struct Store::Implementation {
   void put(const TrialEnded& record);
   void put(const SessionEnded& record);
 };
+
+void Store::Implementation::say(const std::string& line) const {
+  if (trace.get() < 0) return;
+  // A reader that went away is no reason to stop.
+  [[maybe_unused]] const ssize_t written = ::write(trace.get(), line.data(), line.size());
+}
 
 void Store::Implementation::begin() {
   if (open) return;
@@ -189,6 +216,7 @@ void Store::Implementation::put(const Event& record) {
   insert_event.bind(10, record.value).bind(11, record.x).bind(12, record.y);
   bind_unless_empty(insert_event, 13, record.detail);
   insert_event.run();
+  if (trace.get() >= 0) say("event " + session + " " + std::to_string(seq) + "\n");
 }
 
 void Store::Implementation::put(const Sample& record) {
@@ -231,6 +259,7 @@ void Store::Implementation::put(const TrialEnded& record) {
   end_trial.bind(17, process.examples_visited).bind(18, process.map_coverage);
   end_trial.bind(19, process.idle_us).bind(20, process.camera_moves);
   end_trial.bind(21, trial_uuid(record.trial)).run();
+  ended = trial_uuid(record.trial);
   due = true;
 }
 
@@ -345,24 +374,34 @@ void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   transaction.commit();
 }
 
-std::vector<LoggedSession> Store::interrupted_sessions(bool simulated, bool pilot) {
-  Database& database = implementation_->database;
-  Statement rows(database,
-                 "SELECT session.uuid, outcome, process, coalesce(process_start, '') "
+std::vector<InterruptedSession> Store::interrupted_sessions(bool simulated, bool pilot) {
+  Statement rows(implementation_->database,
+                 "SELECT session.uuid, participant.code, session.station, session.started_utc, "
+                 "process, coalesce(process_start, ''), "
+                 "(SELECT coalesce(max(position), 0) FROM trial WHERE session = session.uuid), "
+                 "(SELECT t_us FROM event WHERE session = session.uuid ORDER BY seq DESC LIMIT 1) "
                  "FROM session JOIN study ON study.uuid = session.study "
-                 "WHERE outcome = 'running' AND simulated = ? AND pilot = ? AND study_sha256 = ? "
-                 "ORDER BY started_utc DESC, session.rowid DESC");
+                 "JOIN participant ON participant.uuid = session.participant "
+                 "WHERE session.outcome = 'running' AND simulated = ? AND pilot = ? AND "
+                 "study_sha256 = ? ORDER BY started_utc DESC, session.rowid DESC");
   rows.bind(1, simulated).bind(2, pilot).bind(3, implementation_->bundle->sha256);
-  std::vector<LoggedSession> sessions;
+  std::vector<InterruptedSession> sessions;
   while (rows.step()) {
-    if (!lives(rows.integer(2), rows.text(3))) {
-      sessions.push_back(read_session(database, rows.text(0)));
-    }
+    if (lives(rows.integer(4), rows.text(5))) continue;
+    sessions.push_back({rows.text(0), rows.text(1), rows.text(2), rows.text(3),
+                        static_cast<int>(rows.integer(6)), rows.integer(7)});
   }
   return sessions;
 }
 
-Database& Store::database() { return implementation_->database; }
+LoggedSession Store::read_session(const std::string& uuid) {
+  return study::read_session(implementation_->database, uuid);
+}
+
+void Store::trace_to(const std::string& file) {
+  implementation_->trace.reset(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
+  if (implementation_->trace.get() < 0) throw OutsideError("cannot write the trace " + file);
+}
 
 void Store::write(const std::vector<Record>& step) {
   if (step.empty()) return;
@@ -374,6 +413,8 @@ void Store::write(const std::vector<Record>& step) {
   if (!own.due) return;
   own.due = false;
   own.commit_durably();
+  if (!own.ended.empty()) own.say("trial " + own.ended + "\n");
+  own.ended.clear();
 }
 
 void Store::flush() { implementation_->commit(); }

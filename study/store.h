@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "study/session.h"
 #include "study/session_log.h"
@@ -24,6 +25,13 @@ struct SessionHeader {
   std::string machine = "{}";    // JSON
   std::string started_utc;       // ISO 8601
   bool new_participant = false;  // the code must not have been used before
+};
+
+// Nobody ended it and no process runs it: it can be resumed.
+struct InterruptedSession {
+  std::string uuid, participant, station, started_utc;
+  int trial = 0;             // position of the trial that began last, from 1; 0: none
+  std::int64_t last_us = 0;  // of its last event
 };
 
 // Somebody else, most likely another process, has what this session was to get.
@@ -59,8 +67,13 @@ class Store {
   int next_simulated_number();  // its number, from 1
 
   // Sessions of this study and kind that nobody ended and no process runs, the latest first.
-  std::vector<LoggedSession> interrupted_sessions(bool simulated, bool pilot);
-  Database& database();  // for what reads beside: study/session_log.h
+  std::vector<InterruptedSession> interrupted_sessions(bool simulated, bool pilot);
+  LoggedSession read_session(const std::string& uuid);
+
+  // Writes a line into `file` (a pipe, most likely) for each event as it is put into the
+  // transaction and for each trial that has become durable: how a test that kills the program
+  // knows what there was to lose. Lines are "event SESSION SEQ" and "trial UUID".
+  void trace_to(const std::string& file);
 
   // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
   // or the code of a participant who must be new.

@@ -54,9 +54,13 @@ void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std:
 // A text of the study's own: key = "words", or key = {en = "words", ja = "言葉"}. Warns
 // about languages of the study that are missing.
 LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study);
+LocalText read_local_text(const TomlTable& table, std::string_view key,
+                          const std::vector<std::string>& languages);
 // The same where the languages are keys of the table itself; without any, its name
 // stands for English.
 LocalText read_languages(const TomlTable& table, const std::string& name, const Study& study);
+LocalText read_languages(const TomlTable& table, const std::string& name,
+                         const std::vector<std::string>& languages);
 
 void read_study_section(const TomlTable& root, Study& study);
 // The design keys of [study]: orders, nesting, how many people, how long.

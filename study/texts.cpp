@@ -11,9 +11,6 @@ namespace {
 
 using TextMap = std::map<std::string, std::string, std::less<>>;
 
-constexpr std::string_view folder = "languages/";
-constexpr std::string_view ending = ".toml";
-
 void flatten(const TomlValue& table, const std::string& prefix, TextMap& texts) {
   for (const TomlValue::Entry& entry : table.entries) {
     if (entry.value.kind == TomlValue::Kind::text) texts[prefix + entry.key] = entry.value.text;
@@ -73,18 +70,10 @@ std::vector<std::string> Texts::keys() const {
   return keys;
 }
 
-std::vector<std::string> known_languages() {
-  std::vector<std::string> names;
-  for (const EmbeddedFile& file : embedded_files()) {
-    if (file.path.substr(0, folder.size()) != folder) continue;
-    const std::size_t length = file.path.size() - folder.size() - ending.size();
-    names.emplace_back(file.path.substr(folder.size(), length));
-  }
-  return names;
-}
+std::vector<std::string> known_languages() { return embedded_names("languages"); }
 
 Texts load_texts(std::string_view language) {
-  const std::string path = std::string(folder) + std::string(language) + std::string(ending);
+  const std::string path = "languages/" + std::string(language) + ".toml";
   const auto content = embedded_file(path);
   if (!content) {
     const std::vector<std::string> known = known_languages();

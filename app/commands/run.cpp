@@ -14,7 +14,7 @@ namespace promenade::app {
 namespace {
 
 struct Options {
-  std::string file, database, participant, station = "1", language;
+  std::string file, database, participant, station = "1", language, trace;
   bool has_participant = false;
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;
@@ -57,7 +57,8 @@ void run(const Options& options) {
                          .language = choose_language(options, bundle.study),
                          .pilot = options.pilot,
                          .windowed = options.windowed,
-                         .autopilot = options.autopilot};
+                         .autopilot = options.autopilot,
+                         .trace = options.trace};
   if (setting.database.empty()) setting.database = "results/" + bundle.study.name + ".db";
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
@@ -67,7 +68,7 @@ void run(const Options& options) {
   }
   if (result.interrupted) {
     throw OutsideError("interrupted; the session until then is in " + setting.database +
-                       ", start a new one for the next participant");
+                       ", start it again to go on or for the next participant");
   }
   print_result(result, setting.database);
 }
@@ -90,6 +91,7 @@ void add_run_command(CLI::App& program) {
       ->add_option("--autopilot", options->autopilot,
                    "a simulated participant with this seed takes the mouse")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
+  command->add_option("--trace", options->trace, "what is stored, line by line")->group("");
   command->callback([options, code] {
     options->has_participant = code->count() > 0;
     run(*options);

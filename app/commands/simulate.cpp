@@ -15,7 +15,7 @@ namespace promenade::app {
 namespace {
 
 struct Options {
-  std::string file, database;
+  std::string file, database, trace;
   int participants = 0;
   std::uint64_t seed = 0;
   int jobs = 0;
@@ -24,6 +24,10 @@ struct Options {
 
 int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   study::Store store(options.database, bundle);
+  if (!options.trace.empty()) store.trace_to(options.trace);
+  const int resumed =
+      study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
+  if (resumed > 0) print_note(fmt::format("went on with {} interrupted sessions", resumed));
   study::Cohort cohort;
   cohort.participants = options.participants;
   cohort.seed = options.seed;
@@ -83,6 +87,7 @@ void add_simulate_command(CLI::App& program) {
   command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
       ->check(CLI::Range(1, 256));
   command->add_flag("--json", options->json, "one JSON document on stdout");
+  command->add_option("--trace", options->trace, "what is stored, line by line")->group("");
   command->callback([options] { run(*options); });
 }
 

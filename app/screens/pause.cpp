@@ -26,14 +26,14 @@ void draw_break(const Screen& screen) {
 // Nothing of what is beneath can be seen, so that nobody thinks on for free.
 void draw_pause(const Screen& screen) {
   const bool ends = screen.memory.asks_to_end;
-  std::string text = screen.texts("pause.text");
+  std::string text = screen.texts(screen.memory.back_again ? "resume.back" : "pause.text");
   if (ends) text += "\n\n" + screen.texts("pause.end");
   bool pressed = false;
   draw_text_page(screen,
-                 {screen.texts("pause.title"), text, screen.texts("button.resume"), "resume"}, true,
+                 {screen.texts(screen.memory.back_again ? "resume.back_title" : "pause.title"), text, screen.texts("button.resume"), "resume"}, true,
                  pressed);
   if (pressed) screen.actions.emplace_back(study::Resume{});
-  if (pressed) screen.memory.asks_to_end = false;
+  if (pressed) screen.memory.asks_to_end = screen.memory.back_again = false;
   if (ends && button(screen.ui, "end", screen.ui.layout.box(320, 640, 240, 48),
                      screen.texts("button.end"), ButtonKind::quiet)) {
     screen.memory.wants_end = true;

@@ -48,6 +48,7 @@ void offer_pause(const Screen& screen) {
 
 void draw_all(const Screen& screen) {
   if (screen.failure != nullptr) return draw_failure(screen);
+  if (!screen.memory.offered.empty()) return draw_resume(screen);
   if (screen.session.paused()) return draw_pause(screen);
   draw_page(screen);
   offer_pause(screen);

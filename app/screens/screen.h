@@ -21,11 +21,16 @@ namespace promenade::app {
 struct ScreenMemory {
   // Being typed; the longest code has room at four bytes a character.
   std::array<char, 4 * longest_participant_code + 1> code{};
-  bool code_refused = false;  // taken by someone else
+  bool code_known = false;    // somebody has taken part with it: is it the same person?
+  bool same_person = false;   // that was answered with yes
+  // Sessions that were interrupted here; empty: none, or a new one is to begin.
+  std::vector<study::InterruptedSession> offered;
+  std::string resume;         // uuid of the one that is to go on
   bool wants_start = false;   // the welcome page is left: the code is to be checked
   bool too_early = false;     // the main button was pressed while it could not be
   bool asks_to_end = false;   // the window was to be closed: the pause offers the end
   bool wants_end = false;     // and that was pressed
+  bool back_again = false;    // the session goes on after an interruption
   std::optional<Orbit> told;  // the camera that was last reported
   int camera_trial = -1;      // the trial that the camera was set for
   Eigen::VectorXd example;    // scratch of the wall
@@ -68,6 +73,7 @@ void draw_screen(const Screen& screen);
 // the last.
 bool can_pause(study::PageKind kind);
 
+void draw_resume(const Screen& screen);
 void draw_language(const Screen& screen);
 void draw_welcome(const Screen& screen);
 void draw_consent(const Screen& screen);

@@ -24,14 +24,21 @@ bool draw_code_field(const Screen& screen, float y) {
   const bool entered =
       ImGui::InputText("##code", screen.memory.code.data(), screen.memory.code.size(),
                        ImGuiInputTextFlags_CharsNoBlank | ImGuiInputTextFlags_EnterReturnsTrue);
-  if (ImGui::IsItemEdited()) screen.memory.code_refused = false;
+  if (ImGui::IsItemEdited()) screen.memory.code_known = false;
   ImGui::PopStyleVar();
   ImGui::PopFont();
   frame(field, ui.look.palette.quiet, ui.layout.size(1));
-  const char* hint = screen.memory.code_refused ? "welcome.code_known" : "welcome.code_hint";
+  const bool known = screen.memory.code_known;
   draw_text(ui.look.fonts.text,
             {field.x, field.bottom() + ui.layout.size(4), column.width, ui.layout.size(28)},
-            ui.look.palette.quiet, screen.texts(hint));
+            ui.look.palette.quiet, screen.texts(known ? "welcome.code_known" : "welcome.code_hint"));
+  // Twice by mistake spoils two sessions: somebody has to say that it is none.
+  const Box again{field.x, field.bottom() + ui.layout.size(36), ui.layout.size(360),
+                  ui.layout.size(44)};
+  if (known && button(ui, "same_person", again, screen.texts("welcome.again"),
+                      ButtonKind::outlined)) {
+    screen.memory.same_person = screen.memory.wants_start = true;
+  }
   return entered;
 }
 

@@ -55,7 +55,8 @@ class ToyLog {
       : database_(file, study::Database::Mode::create) {
     database_.exec("PRAGMA synchronous = OFF");
     study::create_tables(database_);
-    insert("study", {"study-" + hash, "Walks", "1", config, hash, "0.1.0", "2026-11-22T10:00:00Z"});
+    insert("study(uuid, name, version, config_text, study_sha256, program_version, created_utc)",
+           {"study-" + hash, "Walks", "1", config, hash, "0.1.0", "2026-11-22T10:00:00Z"});
   }
 
   // The trials that follow belong to this session. Uuids start with `prefix`.
@@ -64,8 +65,9 @@ class ToyLog {
     study::Statement person(database_, "INSERT OR IGNORE INTO participant VALUES (?,?)");
     person.bind(1, prefix + session.code).bind(2, session.code).run();
     study::Statement row(database_,
-                         "INSERT INTO session SELECT ?, uuid, ?, '1', 1, 0, 'en', ?, NULL, ?, ?, "
-                         "?, NULL, '{}' FROM study");
+                         "INSERT INTO session(uuid, study, participant, station, seed, sequence, "
+                         "language, started_utc, outcome, simulated, pilot, machine) "
+                         "SELECT ?, uuid, ?, '1', 1, 0, 'en', ?, ?, ?, ?, '{}' FROM study");
     row.bind(1, prefix_).bind(2, prefix + session.code);
     row.bind(3, "2026-11-22T11:00:" + std::to_string(10 + sessions_)).bind(4, session.outcome);
     row.bind(5, session.simulated).bind(6, session.pilot).run();
@@ -94,7 +96,8 @@ class ToyLog {
 
   // About the trial before.
   ToyLog& answer(const std::string& item, double value, bool touched = true) {
-    study::Statement row(database_, "INSERT INTO answer VALUES (?,?,'rating','1',?,?,NULL,0,?,?)");
+    study::Statement row(database_, "INSERT INTO answer(session, trial, instrument, version, item, value, "
+                         "declined, touched, t_us) VALUES (?,?,'rating','1',?,?,0,?,?)");
     row.bind(1, prefix_).bind(2, trial_uuid(position_)).bind(3, item).bind(4, value);
     row.bind(5, touched).bind(6, ++answers_).run();
     return *this;

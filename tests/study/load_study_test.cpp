@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Broken{"kind = \"match\"", "kind = \"macth\"",
                "toy.toml:10:8: error: \"kind\" is \"macth\", but must be one of \"match\", "
-               "\"find\"; did you mean \"match\"?"},
+               "\"find\", \"guess\", \"rate\"; did you mean \"match\"?"},
         Broken{"name = \"pick\"", "name = \"pcik\"",
                "toy.toml:5:8: error: there is no interface \"pcik\", only \"mix\", \"pick\"; did "
                "you mean \"pick\"?"},

@@ -108,8 +108,8 @@ TEST(MakePlan, OpensAPageBeforeEveryTrial) {
   for (const Page& page : plan.pages) kinds += std::string(to_text(page.kind)) + " ";
   EXPECT_EQ(kinds,
             "welcome consent "
-            "instructions trial intro trial rating intro trial rating "
-            "instructions trial intro trial rating intro trial rating "
+            "instructions trial intro trial questionnaire intro trial questionnaire "
+            "instructions trial intro trial questionnaire intro trial questionnaire "
             "thanks ");
 }
 

@@ -22,7 +22,7 @@ class Rated : public ::testing::Test {
     std::filesystem::remove(file_);
     database_.emplace(file_.string(), Database::Mode::create);
     create_tables(*database_);
-    database_->exec("INSERT INTO study VALUES ('s', 'q', '1', '', 'h', '1', '2026')");
+    database_->exec("INSERT INTO study VALUES ('s', 'q', '1', '', 'h', '1', '2026', NULL)");
     add_person("p1", false);
     add_person("p2", false);
   }
@@ -44,7 +44,8 @@ class Rated : public ::testing::Test {
   }
   void answer(const std::string& person, const std::string& motion, const std::string& item,
               double value, int t_us = 0, const std::string& instrument = "adjectives") {
-    Statement insert(*database_, "INSERT INTO answer VALUES (?,?,?,'1',?,?,NULL,0,1,?)");
+    Statement insert(*database_, "INSERT INTO answer(session, trial, instrument, version, item, value, "
+                                "declined, touched, t_us) VALUES (?,?,?,'1',?,?,0,1,?)");
     insert.bind(1, person).bind(2, person + motion).bind(3, instrument).bind(4, item);
     insert.bind(5, value).bind(6, t_us).run();
   }
