@@ -16,6 +16,7 @@ void add_simulate_command(CLI::App& program);
 void add_replay_command(CLI::App& program);
 void add_model_command(CLI::App& program);
 void add_report_command(CLI::App& program);
+void add_export_command(CLI::App& program);
 void add_stats_command(CLI::App& program);
 // Those of the contract that are not there yet: they say so, exit code 1.
 void add_missing_commands(CLI::App& program);

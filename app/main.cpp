@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   app::add_simulate_command(program);
   app::add_replay_command(program);
   app::add_report_command(program);
+  app::add_export_command(program);
   app::add_stats_command(program);
   app::add_set_command(program);
   app::add_motion_command(program);
