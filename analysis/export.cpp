@@ -40,9 +40,10 @@ std::vector<study::Instrument> stored_instruments(Database& database,
         instruments.push_back(std::move(one));
       }
     } catch (const InputError& error) {
-      notes.push_back("its study cannot be read whole by this version, so its questionnaires are "
-                      "not in the codebook and have no scores: " +
-                      std::string(error.what()));
+      notes.push_back(
+          "its study cannot be read whole by this version, so its questionnaires are "
+          "not in the codebook and have no scores: " +
+          std::string(error.what()));
     }
   }
   return instruments;
@@ -52,7 +53,8 @@ std::string file_name(std::string name) {
   const auto is_plain = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
   };
-  std::replace_if(name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [&](char c) { return !is_plain(c); }, '_');
   return name;
 }
 

@@ -1,6 +1,6 @@
 #include "analysis/export_answers.h"
 
-#include <tuple>
+#include <array>
 
 #include "analysis/item.h"
 
@@ -44,14 +44,21 @@ std::vector<FilledPage> filled_pages(const ExportSource& source) {
   for (const Person& one : source.selection.people) {
     if (one.disposition != Disposition::analysed) continue;
     ++person;
-    std::map<std::tuple<std::string, std::string, std::string, std::int64_t, std::string>, int> known;
+    std::map<std::array<std::string, 7>, int> known;
     row.bind(1, item(source.log.sessions, one.session).uuid);
     while (row.step()) {
-      const auto key = std::tuple(row.text(0), row.text(1), row.text(2), row.integer(3), row.text(7));
+      const std::array key = {row.text(0), row.text(1), row.text(2), row.text(3),
+                              row.text(4), row.text(5), row.text(7)};
       const auto [found, is_new] = known.emplace(key, size_of(pages));
       if (is_new) {
-        pages.push_back({person, row.text(0), row.text(1), row.text(2), row.text(4), row.text(5),
-                         row.text(6), {}});
+        pages.push_back({person,
+                         row.text(0),
+                         row.text(1),
+                         row.text(2),
+                         row.text(4),
+                         row.text(5),
+                         row.text(6),
+                         {}});
       }
       item(pages, found->second).answers[row.text(8)] = answer_in(row);
     }

@@ -40,7 +40,7 @@ bool has_range(const study::Item& item) {
   return item.kind == study::ItemKind::scale || item.kind == study::ItemKind::number;
 }
 
-const Row item_columns = {"instrument", "version", "item",  "kind", "question", "low",
+const Row item_columns = {"instrument", "version", "item", "kind",    "question", "low",
                           "high",       "least",   "most", "choices", "citation", "terms"};
 
 Row item_row(const study::Instrument& instrument, const study::Item& item) {
@@ -109,7 +109,9 @@ Html file_section(const std::string& file, const std::vector<ExportColumn>& colu
 Html instrument_section(const study::Instrument& instrument) {
   HtmlTable table{in_all_languages(instrument.title),
                   {"item", "kind", "question", "low", "high", "least", "most", "choices"},
-                  {}, {}, 1};
+                  {},
+                  {},
+                  1};
   for (const Row& row : rows_of(instrument)) {
     table.rows.emplace_back(row.begin() + 2, row.begin() + 10);
   }
@@ -153,9 +155,8 @@ std::vector<Variable> variables_of(const std::vector<ExportColumn>& columns) {
 }
 
 Json property_of(const Variable& variable) {
-  Json property = {{"@type", "PropertyValue"},
-                   {"name", variable.name},
-                   {"description", variable.description}};
+  Json property = {
+      {"@type", "PropertyValue"}, {"name", variable.name}, {"description", variable.description}};
   if (variable.one_unit && !variable.unit.empty()) property["unitText"] = variable.unit;
   return property;
 }
@@ -196,9 +197,9 @@ std::string dataset_description(const std::string& name, const std::string& desc
                                 const std::vector<ExportColumn>& columns) {
   Json variables = Json::array();
   for (const Variable& variable : variables_of(columns)) variables.push_back(property_of(variable));
-  const Json document = {{"@context", "https://schema.org"}, {"@type", "Dataset"},
-                         {"name", name},                      {"description", description},
-                         {"version", version},                {"variableMeasured", variables}};
+  const Json document = {
+      {"@context", "https://schema.org"}, {"@type", "Dataset"}, {"name", name},
+      {"description", description},       {"version", version}, {"variableMeasured", variables}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -12,7 +12,8 @@ using study::Database;
 using study::Statement;
 
 std::vector<std::string> columns_of(Database& database, std::string_view table) {
-  Statement row(database, "SELECT name FROM pragma_table_info(?) WHERE type <> 'BLOB' OR ?1 = 'sample'");
+  Statement row(database,
+                "SELECT name FROM pragma_table_info(?) WHERE type <> 'BLOB' OR ?1 = 'sample'");
   row.bind(1, table);
   std::vector<std::string> columns;
   while (row.step()) columns.push_back(row.text(0));

@@ -64,17 +64,39 @@ const std::vector<PublicTable>& public_tables() {
         {"resumed"}}},
       {"trial",
        "JOIN temp.public_trial t ON t.old = o.uuid JOIN temp.public_session s ON s.old = o.session",
-       {{"uuid", "t.new"},       {"session", "s.new"}, {"position"},
-        {"block"},               {"practice"},         {"task"},
-        {"interface"},           {"target"},           {"limit_s"},
-        {"threshold_m"},         {"started_us"},       {"ended_us"},
-        {"outcome"},             {"d_first"},          {"d_best"},
-        {"d_final"},             {"d_sum"},            {"seconds_difference"},
-        {"first_below_us"},      {"paused_us"},        {"clicks"},
-        {"changes"},             {"late_frames"},      {"attempt"},
-        {"superseded"},          {"d_area_m_s"},       {"path_m"},
-        {"reversals"},           {"drags"},            {"controls_touched"},
-        {"examples_visited"},    {"map_coverage"},     {"idle_us"},
+       {{"uuid", "t.new"},
+        {"session", "s.new"},
+        {"position"},
+        {"block"},
+        {"practice"},
+        {"task"},
+        {"interface"},
+        {"target"},
+        {"limit_s"},
+        {"threshold_m"},
+        {"started_us"},
+        {"ended_us"},
+        {"outcome"},
+        {"d_first"},
+        {"d_best"},
+        {"d_final"},
+        {"d_sum"},
+        {"seconds_difference"},
+        {"first_below_us"},
+        {"paused_us"},
+        {"clicks"},
+        {"changes"},
+        {"late_frames"},
+        {"attempt"},
+        {"superseded"},
+        {"d_area_m_s"},
+        {"path_m"},
+        {"reversals"},
+        {"drags"},
+        {"controls_touched"},
+        {"examples_visited"},
+        {"map_coverage"},
+        {"idle_us"},
         {"camera_moves"}}},
       {"event",
        "JOIN temp.public_session s ON s.old = o.session "
@@ -97,7 +119,8 @@ const std::vector<PublicTable>& public_tables() {
        "JOIN temp.public_trial t ON t.old = o.trial",
        {{"trial", "t.new"}, {"t_us"}, {"d"}, {"weights"}, {"after_seq"}}},
       {"answer",
-       "JOIN temp.public_answer a ON a.id = o.rowid JOIN temp.public_session s ON s.old = o.session "
+       "JOIN temp.public_answer a ON a.id = o.rowid JOIN temp.public_session s ON s.old = "
+       "o.session "
        "LEFT JOIN temp.public_trial t ON t.old = o.trial",
        {{"session", "s.new"},
         {"trial", "t.new"},
@@ -211,8 +234,9 @@ class Renaming {
   }
 
   void rename_trials(const std::string& session, const std::string& name) {
-    Statement row(database_,
-                  "SELECT uuid FROM main.trial WHERE session = ? ORDER BY started_us, position, uuid");
+    Statement row(
+        database_,
+        "SELECT uuid FROM main.trial WHERE session = ? ORDER BY started_us, position, uuid");
     row.bind(1, session);
     for (int number = 1; row.step(); ++number) {
       put(database_, "public_trial", row.text(0), name + "-" + padded(number, 3));

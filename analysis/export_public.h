@@ -14,10 +14,10 @@
 namespace promenade::analysis {
 
 struct PublicData {
-  std::vector<std::string> questions;    // of the cells
-  std::vector<DemographicCell> cells;    // may be none
-  int withheld_texts = 0;                // free answers that nobody reviewed
-  int left_out_people = 0;               // who declined or withdrew
+  std::vector<std::string> questions;  // of the cells
+  std::vector<DemographicCell> cells;  // may be none
+  int withheld_texts = 0;              // free answers that nobody reviewed
+  int left_out_people = 0;             // who declined or withdrew
 };
 
 // Replaces uuids and codes in `source.log`, too. To be called once, before anything of the

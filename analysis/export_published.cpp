@@ -173,8 +173,9 @@ class Publisher {
 
   std::string text_of(const StoredAnswer& one, const study::Item* item) {
     const std::string& text = one.answer.text;
-    const std::string name =
-        item && item->kind == ItemKind::choice ? choice_name(*item, {one.answer.value, "", false}) : "";
+    const std::string name = item && item->kind == ItemKind::choice
+                                 ? choice_name(*item, {one.answer.value, "", false})
+                                 : "";
     if (text.empty() || text == name) return text;
     if (reviewed_.count({one.session, one.instrument, one.item, text}) > 0) return text;
     ++published_.withheld_texts;

@@ -60,8 +60,9 @@ std::string readme_of(const ExportSource& source, const PublicData& data) {
   }
   text += "\n## How it was made\n\n`promenade export DB --out DIR";
   text += source.is_public ? " --public" : "";
-  text += "`, Promenade " + std::string(study::program_version()) + "; the sessions ran on version " +
-          source.log.files.front().program_version + ". Study: SHA-256 `" + source.log.sha256 + "`.";
+  text += "`, Promenade " + std::string(study::program_version()) +
+          "; the sessions ran on version " + source.log.files.front().program_version +
+          ". Study: SHA-256 `" + source.log.sha256 + "`.";
   return text + "\n";
 }
 

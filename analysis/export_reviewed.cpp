@@ -16,7 +16,8 @@ Places places_in(const std::string& file, const std::vector<study::CsvRow>& rows
   Places places{};
   std::vector<Problem> problems;
   for (std::size_t i = 0; i < needed.size(); ++i) {
-    const std::vector<std::string> heads = rows.empty() ? std::vector<std::string>{} : rows[0].cells;
+    const std::vector<std::string> heads =
+        rows.empty() ? std::vector<std::string>{} : rows[0].cells;
     const auto found = std::find(heads.begin(), heads.end(), needed[i]);
     places[i] = static_cast<std::size_t>(found - heads.begin());
     if (found != heads.end()) continue;

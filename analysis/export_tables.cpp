@@ -20,7 +20,7 @@ using study::Statement;
 // How the rows of one session are found in a table, and in which order they stand.
 struct SessionTable {
   const char* table;
-  const char* rows;   // FROM ... WHERE ..., ? is the session
+  const char* rows;  // FROM ... WHERE ..., ? is the session
   const char* order;
 };
 
@@ -85,10 +85,10 @@ class WeightColumns {
     Statement row(database, "SELECT sha256, content FROM main.motion_set ORDER BY uuid");
     while (row.step()) add_set(row.text(0), row.blob(1), database.file());
     if (names_.empty()) number_them(database);
-    Statement study(database, "SELECT study.uuid, motion_set.sha256 FROM study JOIN motion_set "
-                              "ON motion_set.uuid = coalesce(" +
-                                  column_or(database, "study", "motion_set", "NULL") +
-                                  ", motion_set.uuid)");
+    Statement study(database,
+                    "SELECT study.uuid, motion_set.sha256 FROM study JOIN motion_set "
+                    "ON motion_set.uuid = coalesce(" +
+                        column_or(database, "study", "motion_set", "NULL") + ", motion_set.uuid)");
     while (study.step()) set_of_study_[study.text(0)] = study.text(1);
   }
 
@@ -232,8 +232,8 @@ class TableWriter {
   }
 
   void write_plain(const std::string& table, CsvFile& file) const {
-    Statement row(source_.database, "SELECT " + select_list(table, columns_) + " FROM " + table +
-                                        " ORDER BY 1, 2");
+    Statement row(source_.database,
+                  "SELECT " + select_list(table, columns_) + " FROM " + table + " ORDER BY 1, 2");
     while (row.step()) {
       std::vector<std::string> cells;
       for (int i = 0; i < row.columns(); ++i) cells.push_back(cell_of(row, i));

@@ -16,9 +16,9 @@ using study::Statement;
 
 // Columns of `trial` that a report does not compare but an analysis may want.
 constexpr std::array process_columns = {
-    "d_sum",     "seconds_difference", "d_area_m_s",       "path_m",
-    "reversals", "drags",              "controls_touched", "examples_visited",
-    "map_coverage", "idle_us",         "camera_moves",     "late_frames"};
+    "d_sum",        "seconds_difference", "d_area_m_s",       "path_m",       "reversals",
+    "drags",        "controls_touched",   "examples_visited", "map_coverage", "idle_us",
+    "camera_moves", "late_frames"};
 
 // Adds those that the data set does not have yet.
 class ProcessMeasures {
@@ -262,9 +262,9 @@ class WideMaker {
       const std::string base = name.substr(0, name.find(':'));
       const study::Item* asked = instrument ? study::find_item(*instrument, base) : nullptr;
       WideColumn column = column_for(page, name, moment);
-      column.meaning = (asked && !asked->question.empty()
-                            ? study::text_in(asked->question, "en")
-                            : "answer to " + name) + about(column);
+      column.meaning = (asked && !asked->question.empty() ? study::text_in(asked->question, "en")
+                                                          : "answer to " + name) +
+                       about(column);
       const int place = asked ? static_cast<int>(asked - instrument->items.data()) : 0;
       const std::vector<int> order = order_of(page, 0, place);
       if (!answer.text.empty()) {

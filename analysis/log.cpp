@@ -42,7 +42,8 @@ bool has_column(Database& database, std::string_view column) {
 // Databases of before there were pauses and repeated trials have no columns of them.
 std::string trial_query_for(Database& database) {
   std::string query = trial_query;
-  const auto without = [&](std::string_view column, std::string_view text, std::string_view instead) {
+  const auto without = [&](std::string_view column, std::string_view text,
+                           std::string_view instead) {
     if (!has_column(database, column)) query.replace(query.find(text), text.size(), instead);
   };
   without("paused_us", "coalesce(paused_us, 0)", "0");

@@ -9,7 +9,8 @@ using Rows = std::vector<std::vector<std::string>>;
 
 Rows people(const std::vector<std::pair<std::string, int>>& counts) {
   Rows rows;
-  for (const auto& [value, count] : counts) rows.insert(rows.end(), static_cast<std::size_t>(count), {value});
+  for (const auto& [value, count] : counts)
+    rows.insert(rows.end(), static_cast<std::size_t>(count), {value});
   return rows;
 }
 

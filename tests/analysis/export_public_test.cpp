@@ -117,8 +117,9 @@ TEST_F(Public, GroupsAgesByTenYears) {
   publish(log);
   EXPECT_EQ(column(log.database(), "SELECT DISTINCT text FROM answer WHERE item = 'age'"),
             (std::vector<std::string>{"20-29"}));
-  EXPECT_EQ(column(log.database(), "SELECT value FROM answer WHERE item = 'age' AND value > 0").size(),
-            0u);
+  EXPECT_EQ(
+      column(log.database(), "SELECT value FROM answer WHERE item = 'age' AND value > 0").size(),
+      0u);
 }
 
 TEST_F(Public, HidesTheDemographicsOfSmallCells) {
@@ -180,17 +181,21 @@ TEST_F(Public, ShowsNoWordsOfEvents) {
       "('1', 3, 3, 0, 'participant', 'filter', 'list', 1, "
       "'{\"applied\":true,\"share\":0.30000000000000004,\"text\":\"Kim\"}')");
   publish(log);
-  EXPECT_EQ(column(log.database(), "SELECT coalesce(target, '-') || coalesce(value, '-') || "
-                                   "coalesce(detail, '-') FROM event ORDER BY seq"),
-            (std::vector<std::string>{
-                "age--", "---", "list1.0{\"applied\":true,\"share\":0.30000000000000004}"}));
+  EXPECT_EQ(column(log.database(),
+                   "SELECT coalesce(target, '-') || coalesce(value, '-') || "
+                   "coalesce(detail, '-') FROM event ORDER BY seq"),
+            (std::vector<std::string>{"age--", "-1.0-",
+                                      "list1.0{\"applied\":true,\"share\":0.30000000000000004}"}));
 }
 
 TEST_F(Public, HasNoRosterTombstonesBackupsOrReceipts) {
   publish(log);
   for (const char* table : {"roster", "tombstone", "backup", "receipt", "study_part"}) {
-    EXPECT_TRUE(column(log.database(), "SELECT name FROM temp.sqlite_schema WHERE type = 'view' "
-                                       "AND name = '" + std::string(table) + "'").empty());
+    EXPECT_TRUE(column(log.database(),
+                       "SELECT name FROM temp.sqlite_schema WHERE type = 'view' "
+                       "AND name = '" +
+                           std::string(table) + "'")
+                    .empty());
   }
 }
 
@@ -198,7 +203,8 @@ TEST_F(Public, RefusesAReviewOfWhatNobodySaid) {
   log.session({"LAB1"});
   tell(log, "1", "comment", 0, "nice");
   const std::string head = "session,instrument,item,text\n";
-  EXPECT_EQ(parse_reviewed("r.csv", head + "1,demographics,comment,nice\n", log.database()).size(), 1u);
+  EXPECT_EQ(parse_reviewed("r.csv", head + "1,demographics,comment,nice\n", log.database()).size(),
+            1u);
   EXPECT_THROW(parse_reviewed("r.csv", head + "1,demographics,comment,Nice\n", log.database()),
                InputError);
   EXPECT_THROW(parse_reviewed("r.csv", "session,item,text\n", log.database()), InputError);

@@ -85,7 +85,10 @@ TEST(Export, HasOneRowForEachPersonInTheWideTable) {
 
 TEST(Export, TakesTheMeanOverTargets) {
   const TestFolder folder;
-  ToyLog(folder.file("a.db")).session({}).trial({"labels", "happy", 10}).trial({"labels", "sad", 13});
+  ToyLog(folder.file("a.db"))
+      .session({})
+      .trial({"labels", "happy", 10})
+      .trial({"labels", "sad", 13});
   export_to(folder, "out");
   const Rows people = rows_in(folder.file("out/people_wide.csv"));
   EXPECT_EQ(people.at(0).at("time_s.match.labels"), "11.5");
@@ -97,7 +100,9 @@ TEST(Export, MarksPracticeAndRepeatedTrialsAndLeavesThemOutOfTheWideTable) {
   {
     ToyLog log(folder.file("a.db"));
     log.session({}).trial({.seconds = 99, .practice = true}).trial({.seconds = 50});
-    log.trial({.seconds = 20}).database().exec("UPDATE trial SET superseded = 1 WHERE uuid = '1/2'");
+    log.trial({.seconds = 20})
+        .database()
+        .exec("UPDATE trial SET superseded = 1 WHERE uuid = '1/2'");
   }
   export_to(folder, "out");
   std::vector<std::string> counts;
@@ -181,7 +186,8 @@ TEST(Export, DescribesEveryColumnOfItsData) {
     EXPECT_TRUE(named.insert(variable["name"]).second) << variable["name"];
   }
   for (const auto& entry : fs::directory_iterator(folder.file("out/data"))) {
-    for (const std::string& column : study::parse_csv(read_file(entry.path()))[0].cells) {
+    const std::vector<study::CsvRow> rows = study::parse_csv(read_file(entry.path()));
+    for (const std::string& column : rows.at(0).cells) {
       EXPECT_TRUE(named.count(column)) << entry.path() << " " << column;
     }
   }
@@ -209,7 +215,9 @@ TEST(Export, ReplacesAnOlderOneAndLeavesOtherFilesAlone) {
 TEST(Export, StopsWhenAskedAndLeavesNothingBehind) {
   const TestFolder folder;
   make(folder);
-  ExportOptions options{folder.file("a.db"), folder.file("out")};
+  ExportOptions options;
+  options.database = folder.file("a.db");
+  options.folder = folder.file("out");
   options.progress = [](const std::string&, int done, int) { return done < 3; };
   EXPECT_THROW(write_export(options, {}), OutsideError);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.file("")), {}), 1) << "a.db alone";

@@ -55,7 +55,8 @@ TEST(ALine, IsReadBackAsItsCells) {
 TEST(ANumber, IsWrittenWithTheDigitsThatReadItBack) {
   EXPECT_EQ(csv_number(0.1), "0.1");
   EXPECT_EQ(csv_number(7), "7");
-  for (const double value : {1.0 / 3, 1e-300, -4503599627370497.5, 5e-324, 1.7976931348623157e308}) {
+  for (const double value :
+       {1.0 / 3, 1e-300, -4503599627370497.5, 5e-324, 1.7976931348623157e308}) {
     EXPECT_EQ(parse_number(csv_number(value)), value);
   }
 }
