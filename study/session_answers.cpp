@@ -39,11 +39,10 @@ void Session::Steps::open_questions() {
   const std::size_t count = asked == nullptr ? 0 : asked->items.size();
   session.answers_.assign(count, {});
   session.answered_us_.assign(count, 0);
-  session.item_order_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) session.item_order_[i] = static_cast<int>(i);
-  if (asked == nullptr || !asked->shuffled) return;
+  session.item_order_.clear();
+  if (asked == nullptr) return;
   Rng rng(session.plan_.seed, session.page_, "items");
-  rng.shuffle(session.item_order_);
+  session.item_order_ = study::item_order(*asked, rng);
 }
 
 void Session::Steps::emit_answers() {
