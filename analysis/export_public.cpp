@@ -168,11 +168,7 @@ std::string random_code() {
   return code;
 }
 
-// Who said no, or withdrew, is in no public file.
-bool stays(const LoggedSession& session) {
-  return session.outcome != "declined" && session.outcome != "withdrawn";
-}
-
+// Who said no, or withdrew in any session, is in no public file.
 std::set<std::string> withdrawn_people(const Log& log) {
   std::set<std::string> people;
   for (const LoggedSession& session : log.sessions) {
@@ -208,7 +204,7 @@ class Renaming {
  private:
   void rename(LoggedSession& session) {
     const std::string person = session.participant;
-    if (!stays(session) || withdrawn_.count(person) > 0) {
+    if (session.outcome == "declined" || withdrawn_.count(person) > 0) {
       left_out_.insert(person);
       session.outcome = "withdrawn";
       session.uuid = session.participant = session.code = "";

@@ -129,5 +129,12 @@ TEST_F(Wide, HasTheProcessMeasuresOfTheTrials) {
   EXPECT_EQ(cell("reversals.match.labels"), "3");
 }
 
+TEST_F(Wide, HasNoProcessMeasuresOfTrialsThatWereDoneAgain) {
+  log.session({}).trial({}).trial({});
+  log.database().exec(
+      "UPDATE trial SET path_m = position, superseded = position - 1, position = 1");
+  EXPECT_EQ(cell("path_m.match.labels"), "1");
+}
+
 }  // namespace
 }  // namespace promenade::analysis
