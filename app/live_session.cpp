@@ -141,8 +141,15 @@ void LiveSession::hand_over_frames(const Record& record) {
   }
 }
 
+void LiveSession::save() {
+  unwritten_ = false;
+  guard([&] { store_.flush(); });
+}
+
 void LiveSession::flush(std::int64_t now_us) {
-  if (recorded_ && !session_.ended()) guard([&] { store_.alive(last_us_); });
+  if (recorded_ && !session_.ended()) {
+    guard([&] { unwritten_ = store_.alive(last_us_) || unwritten_; });
+  }
   if (!unwritten_ || now_us - flushed_us_ < 15'000) return;
   flushed_us_ = now_us;
   unwritten_ = false;

@@ -61,6 +61,8 @@ class LiveSession {
   using FrameKeeper = std::function<void(int trial, const study::FrameHistogram& frames)>;
   void keep_frames(FrameKeeper keeper) { keep_frames_ = std::move(keeper); }
 
+  // Brings all that is new in the log to the disk, now.
+  void save();
   // Brings what is new in the log to the disk, at most every 15 ms: called in every
   // frame, it leaves nothing out for longer than 50 ms.
   void flush(std::int64_t now_us);

@@ -40,6 +40,8 @@ class SessionView {
   // `actor`: the participant who closed the window, or the experimenter.
   void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;
+  // The last page says from now on that there is no second copy of the database, and why.
+  void tell_copy_problem(std::string problem) { copy_problem_ = std::move(problem); }
 
   // Draws the figures of the page, large and small, and the ground of its panel.
   void draw_figures(FigureRenderer& renderer);
@@ -50,6 +52,7 @@ class SessionView {
 
  private:
   bool covered() const;  // by a page without figures
+  bool is_fresh();
   bool has_panel() const;
   Cast cast() const;
   StagePlan stage_plan() const;
@@ -78,11 +81,13 @@ class SessionView {
   WidgetMap widgets_;
   Focus focus_;
   std::vector<StudyAction> actions_;
+  std::vector<StudyAction> orders_;  // of the experimenter
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;
   std::int64_t shown_us_ = -1, shown_before_us_ = -1;
   const study::Page* page_ = nullptr;  // of the frame before
-  bool paused_ = false;                // and whether it was paused
+  int cover_ = 0;                      // and what covered it
+  std::string copy_problem_;           // empty: none
   bool closed_ = false;
 };
 

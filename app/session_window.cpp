@@ -9,8 +9,10 @@
 #include "app/registry.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
+#include "app/window/display_loss.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
+#include "study/copy.h"
 #include "study/identity.h"
 
 namespace promenade::app {
@@ -62,6 +64,7 @@ class Player {
 
   SessionResult play() {
     open_examples();
+    const DisplayLossGuard guard([this] { return last_words(); });
     warm_up();
     const FrameTimes times =
         run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
@@ -79,8 +82,19 @@ class Player {
   }
 
  private:
+  // The display is gone; the session waits as it does after a crash.
+  std::string last_words() {
+    live_.save();
+    if (!live_.recorded()) return "the display went away before the session began; start it again";
+    return "the display went away; the session until then is in " + setting_.database +
+           ", start it again to go on with it";
+  }
+
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
-    const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
+    const int sequence =
+        setting.sequence
+            ? *setting.sequence
+            : store.next_sequence(setting.autopilot.has_value(), setting.pilot);
     return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
             setting.language.empty()};
   }
@@ -174,10 +188,24 @@ class Player {
       interrupted_ = true;
     }
     if (view_->ended()) return;
+    copy_on_last_page();
     if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
     view_->frame(now_us);
     gui_renderer_.draw();
     draw_examples_window();
+  }
+
+  // While there is still somebody to see that it failed.
+  void copy_on_last_page() {
+    const study::PageKind page = live_.session().page().kind;
+    const bool last = page == study::PageKind::thanks || page == study::PageKind::declined;
+    if (!last || copied_ || !live_.recorded()) return;
+    copied_ = true;
+    live_.save();
+    if (auto problem =
+            study::second_copy_problem(setting_.bundle, setting_.database, setting_.station)) {
+      view_->tell_copy_problem(*problem);
+    }
   }
 
   // By accident, perhaps; nobody is there to be asked when the participant is simulated.
@@ -202,6 +230,7 @@ class Player {
   std::unique_ptr<ExamplesWindow> examples_;
   std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
+  bool copied_ = false;
 };
 
 }  // namespace
@@ -216,7 +245,13 @@ SessionResult run_session(const SessionSetting& setting) {
   require_fonts();
   study::Store store(setting.database, setting.bundle);
   if (!setting.trace.empty()) store.trace_to(setting.trace);
-  return Player(setting, store).play();
+  SessionResult result = Player(setting, store).play();
+  // With how it ended, too.
+  if (result.recorded) {
+    result.copy_problem =
+        study::second_copy_problem(setting.bundle, setting.database, setting.station);
+  }
+  return result;
 }
 
 }  // namespace promenade::app

@@ -9,6 +9,13 @@
 
 namespace promenade::study {
 
+// The session before its first step, as the log says it began. What is named outlives it.
+Session session_of(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                   const LoggedSession& log);
+
+// What leads to this row of the log: the input that was logged, or else that time passed.
+Input input_of(const LoggedStep& step);
+
 // Steps a fresh session through the log. `stepped`, if there is one, is called after each
 // step with what it returned. The study is the one that the session ran on.
 Session replay(const StudyBundle& bundle, const InterfaceRegistry& registry,

@@ -26,7 +26,8 @@ CREATE TABLE IF NOT EXISTS study_part(
 ) STRICT, WITHOUT ROWID;
 CREATE TABLE IF NOT EXISTS amendment(
   study TEXT PRIMARY KEY REFERENCES study(uuid), previous TEXT NOT NULL REFERENCES study(uuid),
-  reason TEXT NOT NULL, amended_utc TEXT NOT NULL
+  reason TEXT NOT NULL, amended_utc TEXT NOT NULL,
+  same_orders INTEGER NOT NULL DEFAULT 0 CHECK (same_orders IN (0,1))
 ) STRICT;
 CREATE TABLE IF NOT EXISTS participant(
   uuid TEXT PRIMARY KEY, code TEXT NOT NULL UNIQUE

@@ -243,6 +243,9 @@ class Session {
   bool answered() const;  // all that is needed
   // Now, which is the time of the last input.
   bool can_continue() const;
+  // What the experimenter can do now.
+  bool can_skip() const;
+  bool can_repeat() const { return last_begun_ >= 0; }
   // How long a break has to last from now on; 0 on other pages.
   std::int64_t break_left_us() const;
   bool paused() const { return paused_since_us_.has_value(); }

@@ -11,6 +11,11 @@ bool opens_trial(const Page& page) {
   return page.kind == PageKind::instructions || page.kind == PageKind::intro;
 }
 
+bool is_between(const Page& page) {
+  return page.kind == PageKind::questionnaire || page.kind == PageKind::release ||
+         page.kind == PageKind::break_;
+}
+
 // Is it a page of this trial alone: its introduction, itself, the questions about it?
 bool belongs_to(const Study& study, const Page& page, int trial) {
   if (page.trial != trial) return false;
@@ -30,6 +35,10 @@ std::size_t opening_page(const Plan& plan, int trial) {
 constexpr std::string_view policy_words[] = {"continue", "trial", "block"};
 
 }  // namespace
+
+bool Session::can_skip() const {
+  return page().kind == PageKind::trial || opens_trial(page()) || is_between(page());
+}
 
 std::string_view to_text(ResumePolicy policy) {
   return policy_words[static_cast<std::size_t>(policy)];
@@ -164,14 +173,10 @@ void Session::Steps::act(const Release&) {
 }
 
 void Session::Steps::act(const Skip& skip) {
-  const Page& page = session.page();
-  const bool in_trial = page.kind == PageKind::trial || opens_trial(page);
-  const bool between = page.kind == PageKind::questionnaire || page.kind == PageKind::release ||
-                       page.kind == PageKind::break_;
-  if (!in_trial && !between) return;
+  if (!session.can_skip()) return;
   log("skip").detail = json_text("reason", skip.reason);
   emit_answers();
-  if (between) return next_page(input.t_us);
+  if (is_between(session.page())) return next_page(input.t_us);
   if (!session.trial_) {
     ++session.page_;
     begin_trial(input.t_us);

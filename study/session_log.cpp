@@ -23,7 +23,7 @@ std::optional<double> real(const Statement& row, int column) {
 LoggedSession header_of(Database& database, const std::string& uuid) {
   Statement row(database,
                 "SELECT session.study, participant.code, station, language, outcome, started_utc, "
-                "simulated, pilot, sequence, seed, alive_us FROM session "
+                "simulated, pilot, sequence, seed, alive_us, machine FROM session "
                 "JOIN participant ON participant.uuid = session.participant "
                 "WHERE session.uuid = ?");
   if (!row.bind(1, uuid).step()) throw InputError(database.file(), "has no session " + uuid);
@@ -40,6 +40,7 @@ LoggedSession header_of(Database& database, const std::string& uuid) {
   session.sequence = static_cast<int>(row.integer(8));
   session.seed = static_cast<std::uint64_t>(row.integer(9));
   session.last_us = row.integer(10);
+  session.machine = row.text(11);
   return session;
 }
 
@@ -156,8 +157,7 @@ void read_steps(Database& database, const std::map<std::string, int>& trials,
   }
   take_samples(-1);
   for (const LoggedStep& step : session.steps) {
-    const std::int64_t t_us = step.sample ? step.shown.t_us : step.event.t_us;
-    session.last_us = std::max(session.last_us, t_us);
+    session.last_us = std::max(session.last_us, step.t_us());
   }
 }
 

@@ -29,10 +29,13 @@ struct LoggedStep {
   int trial = -1;  // index into LoggedSession::trials; -1: outside trials
   Event event;     // its `trial` is not set
   Sample shown;    // its `trial` is not set
+
+  std::int64_t t_us() const { return sample ? shown.t_us : event.t_us; }
 };
 
 struct LoggedSession {
   std::string uuid, study_uuid, participant, station, language, outcome, started_utc;
+  std::string machine;  // JSON; "width" and "height" of the window in pixels, where there was one
   bool simulated = false, pilot = false;
   int sequence = 0;
   std::uint64_t seed = 0;

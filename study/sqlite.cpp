@@ -74,6 +74,13 @@ std::string resting_uri(const std::string& file) {
   return uri + "?immutable=1";
 }
 
+// What a session that was killed wrote last is in the -wal, and to read that SQLite may have
+// to make a file beside it.
+bool can_read_wal(sqlite3* handle) {
+  const int code = sqlite3_exec(handle, "PRAGMA schema_version", nullptr, nullptr, nullptr) & 0xFF;
+  return code != SQLITE_CANTOPEN && code != SQLITE_READONLY;
+}
+
 }  // namespace
 
 bool DatabaseError::about_content() const {
@@ -99,6 +106,14 @@ Database::Database(const std::string& file, Mode mode) : file_(file) {
     fail(file, code, message.c_str());
   }
   sqlite3_busy_timeout(handle_, 2000);
+  const std::string wal = file + "-wal";
+  if (mode != Mode::read_only || !std::filesystem::exists(wal, ignored)) return;
+  if (can_read_wal(handle_)) return;
+  sqlite3_close_v2(handle_);
+  throw DatabaseError(SQLITE_CANTOPEN,
+                      file + ": what was written last is in " + wal +
+                          ", which can only be read where files may be made; copy both to a "
+                          "folder that can be written, and name the copy");
 }
 
 Database::~Database() { sqlite3_close_v2(handle_); }
@@ -183,6 +198,21 @@ void Statement::run() {
 void Statement::reset() { sqlite3_reset(handle_); }
 
 int Statement::columns() const { return sqlite3_column_count(handle_); }
+
+Statement::Type Statement::type(int column) const {
+  switch (sqlite3_column_type(handle_, column)) {
+    case SQLITE_INTEGER:
+      return Type::integer;
+    case SQLITE_FLOAT:
+      return Type::real;
+    case SQLITE_TEXT:
+      return Type::text;
+    case SQLITE_BLOB:
+      return Type::blob;
+    default:
+      return Type::null;
+  }
+}
 
 std::string Statement::column_name(int column) const {
   return sqlite3_column_name(handle_, column);

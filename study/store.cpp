@@ -4,12 +4,13 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <set>
 
 #include "motion/bytes.h"
+#include "study/assignment.h"
 #include "study/identity.h"
 #include "study/process.h"
 #include "study/store_open.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -36,6 +37,21 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
 bool holds_order(const Statement& row) {
   return row.text(0) == "finished" ||
          (row.text(0) == "running" && lives(row.integer(1), row.text(2)));
+}
+
+// The versions of the study whose orders are those of the newest (study/amend.h).
+constexpr const char* of_counted_versions =
+    "study IN (WITH RECURSIVE counted(study) AS (SELECT uuid FROM study WHERE study_sha256 = ? "
+    "UNION SELECT previous FROM amendment JOIN counted ON amendment.study = counted.study "
+    "WHERE same_orders = 1) SELECT study FROM counted)";
+
+// The same row, with whether the person's data are to be removed.
+GivenOrder::State state_of(const Statement& row) {
+  using State = GivenOrder::State;
+  const bool running = row.text(0) == "running";
+  if (row.integer(4) != 0 || (!running && row.text(0) != "finished")) return State::gone;
+  if (!running) return State::counts;
+  return holds_order(row) ? State::runs : State::interrupted;
 }
 
 // A file that is closed with its owner; -1: none.
@@ -104,6 +120,7 @@ struct Store::Implementation {
   static const std::string& interface_name(const Study& study, const PlannedTrial& trial);
   void bind_trial(Statement& statement, int column, int trial) const;
   std::string participant_uuid(const std::string& code);
+  void refuse_amended();
   void refuse_taken(const SessionHeader& header, int sequence);
 
   void put_whole(const std::vector<Record>& step);
@@ -176,13 +193,19 @@ std::string Store::Implementation::participant_uuid(const std::string& code) {
   return uuid;
 }
 
+// Another process may have changed the study since the database was opened.
+void Store::Implementation::refuse_amended() {
+  const std::string problem = study_problem(database, *bundle);
+  if (!problem.empty()) throw OutsideError(database.file() + " " + problem);
+}
+
 // Only inside the transaction that inserts the session: outside, it may be taken after.
 void Store::Implementation::refuse_taken(const SessionHeader& header, int sequence) {
   Statement rows(database,
-                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE "
-                 "simulated = ? AND pilot = ? AND "
-                 "sequence = ?");
-  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence);
+                 std::string("SELECT outcome, process, coalesce(process_start, '') FROM session "
+                             "WHERE simulated = ? AND pilot = ? AND sequence = ? AND ") +
+                     of_counted_versions);
+  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence).bind(4, bundle->sha256);
   while (rows.step()) {
     if (!holds_order(rows)) continue;
     throw TakenError(TakenError::What::sequence, database.file() + ": order " +
@@ -316,20 +339,15 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement rows(
-      implementation_->database,
-      "SELECT outcome, process, coalesce(process_start, ''), sequence FROM session "
-      "WHERE simulated = ? AND pilot = ?");
-  rows.bind(1, simulated).bind(2, pilot);
-  std::set<std::int64_t> used;
-  while (rows.step()) {
-    if (holds_order(rows)) used.insert(rows.integer(3));
-  }
-  std::vector<int> free;
-  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (used.count(sequence) == 0) free.push_back(sequence);
-  }
-  return free;
+  Statement rows(implementation_->database,
+                 std::string("SELECT outcome, process, coalesce(process_start, ''), sequence, "
+                             "participant IN (SELECT participant FROM tombstone WHERE removed = "
+                             "'everything') FROM session WHERE simulated = ? AND pilot = ? AND ") +
+                     of_counted_versions);
+  rows.bind(1, simulated).bind(2, pilot).bind(3, implementation_->bundle->sha256);
+  std::vector<GivenOrder> given;
+  while (rows.step()) given.push_back({static_cast<int>(rows.integer(3)), state_of(rows)});
+  return next_orders(given, round_of(implementation_->bundle->study), count);
 }
 
 bool Store::knows_participant(const std::string& code) {
@@ -355,6 +373,7 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan,
   Implementation& own = *implementation_;
   own.commit();
   Transaction transaction(own.database);
+  own.refuse_amended();
   own.refuse_taken(header, plan.sequence);
   own.session = random_uuid();
   own.plan = plan;
@@ -384,6 +403,7 @@ void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   Implementation& own = *implementation_;
   own.commit();
   Transaction transaction(own.database);
+  own.refuse_amended();
   Statement row(own.database,
                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE uuid = ?");
   if (!row.bind(1, session.uuid).step() || row.text(0) != "running" || holds_order(row)) {
@@ -460,13 +480,14 @@ void Store::write(const std::vector<Record>& step) {
   own.ended.clear();
 }
 
-void Store::alive(std::int64_t t_us) {
+bool Store::alive(std::int64_t t_us) {
   constexpr std::int64_t beat_us = 1'000'000;
   Implementation& own = *implementation_;
-  if (t_us - own.alive_us < beat_us) return;
+  if (t_us - own.alive_us < beat_us) return false;
   own.alive_us = t_us;
   own.begin();
   own.set_alive.bind(1, t_us).bind(2, own.session).run();
+  return true;
 }
 
 void Store::write_frames(int trial, const FrameHistogram& frames) {

@@ -9,11 +9,13 @@
 #include <cstring>
 #include <thread>
 
+#include "motion/files.h"
 #include "study/database_file.h"
 #include "study/identity.h"
 #include "study/migrate.h"
 #include "study/schema.h"
 #include "study/store.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -70,18 +72,8 @@ bool is_blank(Database& database) {
 }
 
 void refuse_other_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  Statement other(database, "SELECT name FROM study ORDER BY rowid DESC LIMIT 1");
-  if (!other.step()) return;  // killed while it was made
-  const std::string name = other.text(0);
-  throw InputError(database.file(),
-                   name == bundle.study.name
-                       ? "holds the study \"" + name +
-                             "\" as it was before its file, its motions or the texts of the "
-                             "program changed; name a new database for the changed study"
-                       : "holds another study, \"" + name + "\"; name another database for \"" +
-                             bundle.study.name + "\"");
+  const std::string problem = study_problem(database, bundle);
+  if (!problem.empty()) throw InputError(database.file(), problem);
 }
 
 // The uuid of the motion set of a study, which several versions may share.
@@ -92,20 +84,6 @@ std::string put_motion_set(Database& database, const StudyBundle& bundle) {
   Statement known(database, "SELECT uuid FROM motion_set WHERE sha256 = ?");
   known.bind(1, bundle.set_sha256).step();
   return known.text(0);
-}
-
-void put_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  const std::string uuid = random_uuid();
-  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
-  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
-  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
-  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
-  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
-  for (const StudyPart& one : bundle.parts) {
-    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
-  }
 }
 
 // Reads only: a file that is not ours stays as it is.
@@ -149,6 +127,21 @@ Database prepared(const std::string& file, const StudyBundle& bundle) {
 }
 
 }  // namespace
+
+std::string put_study(Database& database, const StudyBundle& bundle) {
+  Statement known(database, "SELECT uuid FROM study WHERE study_sha256 = ?");
+  if (known.bind(1, bundle.sha256).step()) return known.text(0);
+  std::string uuid = random_uuid();
+  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
+  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
+  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
+  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
+  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
+  for (const StudyPart& one : bundle.parts) {
+    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
+  }
+  return uuid;
+}
 
 Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
   const std::string file = path.string();

@@ -15,4 +15,8 @@ Database open_store(const std::filesystem::path& file, const StudyBundle& bundle
 // open_log does, and OutsideError when it must not be written.
 Database open_existing_store(const std::string& file);
 
+// Its uuid; it is put in, with its motions and parts, when it is not there yet. The
+// transaction is the caller's.
+std::string put_study(Database& database, const StudyBundle& bundle);
+
 }  // namespace promenade::study

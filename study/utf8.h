@@ -58,6 +58,20 @@ inline void append_character(std::string& text, unsigned int code) {
   add(0x80 | (code & 0x3F));
 }
 
+// Takes the first character away; its code, 0 when there is none.
+inline int take_character(std::string& text) {
+  if (text.empty()) return 0;
+  const auto first = static_cast<unsigned char>(text[0]);
+  const int more = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+  int code = more == 0 ? first : first & (0x3F >> more);
+  std::size_t length = 1;
+  for (; length < text.size() && !begins_character(text[length]); ++length) {
+    code = code << 6 | (static_cast<unsigned char>(text[length]) & 0x3F);
+  }
+  text.erase(0, length);
+  return code;
+}
+
 inline void drop_last_character(std::string& text) {
   while (!text.empty()) {
     const bool begins = begins_character(text.back());

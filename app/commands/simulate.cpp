@@ -85,7 +85,7 @@ void add_simulate_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("simulate", "Simulated participants, without a window");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--participants", options->participants, "how many")
       ->required()
       ->check(CLI::Range(1, 1'000'000));

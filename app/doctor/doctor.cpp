@@ -23,7 +23,7 @@ study::StudyBundle demo() {
 std::vector<std::string> words_of_all_languages(const study::StudyBundle& bundle) {
   std::vector<std::string> words;
   for (const std::string& language : study::known_languages()) {
-    for (std::string& word : words_of(captions_in(language, bundle.space.set))) {
+    for (std::string& word : words_of(captions_in(language, bundle))) {
       words.push_back(std::move(word));
     }
   }

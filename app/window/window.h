@@ -24,6 +24,7 @@ struct WindowOptions {
   bool windowed = false;           // instead of the whole screen
   int screen = 0;                  // which one, from 1; 0: the first
   bool shows_only = false;         // takes neither mouse nor keyboard
+  bool hidden = false;             // only for its context: see OffScreen
   int width = 1280, height = 720;  // of a windowed one
 };
 

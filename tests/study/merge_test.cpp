@@ -112,7 +112,7 @@ TEST_F(MergeTest, CarriesEveryVersionOfAnAmendedStudy) {
   change("b.db",
          "INSERT INTO study SELECT 'new', name, '2', config_text, 'new hash', program_version, "
          "created_utc, motion_set FROM study; INSERT INTO study_part VALUES('new', 'x.csv', x'78');"
-         "INSERT INTO amendment SELECT 'new', uuid, 'a typo', 'today' FROM study WHERE uuid <> "
+         "INSERT INTO amendment SELECT 'new', uuid, 'a typo', 'today', 1 FROM study WHERE uuid <> "
          "'new'; INSERT INTO participant VALUES('p9', 'P09');"
          "INSERT INTO session SELECT 's9', 'new', 'p9', station, seed, 9, language, started_utc, "
          "ended_utc, outcome, simulated, pilot, process, machine, process_start, resumed, alive_us "
@@ -123,7 +123,8 @@ TEST_F(MergeTest, CarriesEveryVersionOfAnAmendedStudy) {
                       "SELECT count(*) FROM amendment JOIN study ON study.uuid = "
                       "amendment.previous WHERE reason = 'a typo'"),
             1);
-  EXPECT_EQ(number_in(out(), "SELECT count(*) FROM study_part"), 1);
+  EXPECT_EQ(number_in(out(), "SELECT count(*) FROM study_part WHERE path = 'x.csv'"), 1);
+  EXPECT_EQ(number_in(out(), "SELECT same_orders FROM amendment"), 1);
   EXPECT_EQ(number_in(out(), "SELECT count(*) FROM session WHERE study = 'new'"), 1);
 }
 
