@@ -14,8 +14,10 @@ import unittest
 
 PROMENADE = os.environ["PROMENADE"]
 PEOPLE = 5
-TABLES = {"trial": "trial", "event": "event", "sample": "sample", "answer": "answer",
-          "session": "session", "participant": "participant", "study": "study"}
+TABLES = ("trial", "event", "sample", "session", "participant", "study")
+QUESTIONNAIRES = "".join(f'\n[[questionnaire]]\ninstrument = "{name}"\nwhen = "{when}"\n'
+                         for name, when in (("demographics", "start"), ("nasa-tlx", "block"),
+                                            ("comment", "end")))
 
 
 def promenade(*arguments, folder, **environment):
@@ -47,11 +49,15 @@ class Export(unittest.TestCase):
     def setUpClass(cls):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = pathlib.Path(cls.temporary.name)
-        promenade("simulate", "configs/demo.toml", "--participants", PEOPLE, "--seed", 7, "--db",
+        demo = pathlib.Path(os.environ["PROMENADE_SOURCE_DIR"], "configs", "demo.toml")
+        (cls.folder / "study.toml").write_text(demo.read_text() + QUESTIONNAIRES)
+        promenade("simulate", "study.toml", "--participants", PEOPLE, "--seed", 7, "--db",
                   "one.db", folder=cls.folder)
         with sqlite3.connect(cls.folder / "one.db") as db:
             db.execute("UPDATE session SET station = 'north-lab-17', "
                        "machine = '{\"program\":\"machine-of-kim\"}'")
+            db.execute("UPDATE answer SET touched = 1, text = 'I am ' || substr(session, 1, 8) "
+                       "WHERE instrument = 'comment'")
         cls.plain = promenade("export", "one.db", "--out", "plain", "--include-simulated",
                               folder=cls.folder)
         cls.public = promenade("export", "one.db", "--out", "public", "--public",
@@ -75,6 +81,8 @@ class Export(unittest.TestCase):
             count, = self.db.execute(f"SELECT count(*) FROM {table}").fetchone()
             for folder in ("plain", "public"):
                 self.assertEqual(len(self.table(table, folder)), count, (folder, table))
+        count, = self.db.execute("SELECT count(*) FROM answer").fetchone()
+        self.assertEqual(len(self.table("answer")), count)
 
     def test_numbers_read_back_as_the_same_doubles(self):
         stored = {row[0]: row[1:] for row in self.db.execute(
@@ -103,6 +111,45 @@ class Export(unittest.TestCase):
                 (row["participant_code"],)).fetchone()
             self.assertAlmostEqual(float(row["d_final.match.weights"]), mean, delta=1e-12)
             self.assertIn("satisfaction.match.labels", row)
+
+    def test_the_wide_table_has_the_scores_of_questionnaires(self):
+        for row in rows(self.folder / "plain" / "people_wide.csv"):
+            mean, = self.db.execute(
+                "SELECT avg(value) FROM answer JOIN session ON session.uuid = answer.session JOIN "
+                "participant ON participant.uuid = session.participant WHERE instrument = "
+                "'nasa-tlx' AND item NOT LIKE '%-%' AND interface = 'labels' AND code = ?",
+                (row["participant_code"],)).fetchone()
+            self.assertAlmostEqual(float(row["nasa-tlx.raw.labels"]), mean, delta=1e-9)
+            self.assertIn("demographics.age", row)
+
+    def test_the_codebook_has_questions_and_citations(self):
+        items = {(row["instrument"], row["item"]): row
+                 for row in rows(self.folder / "plain" / "codebook.csv") if row["instrument"]}
+        self.assertIn("mentally demanding", items["nasa-tlx", "mental"]["question"])
+        self.assertTrue(items["nasa-tlx", "mental"]["citation"])
+        self.assertIn("non-binary", items["demographics", "gender"]["choices"])
+
+    def test_small_cells_are_named_on_the_terminal_and_hidden_in_the_folder(self):
+        shown = [row for row in self.table("answer", "public")
+                 if row["instrument"] == "demographics"]
+        self.assertEqual(shown, [], "five people of many kinds")
+        self.assertIn("small cell", self.public.stderr)
+        cells = (self.folder / "public" / "demographic_cells.csv").read_text().splitlines()
+        self.assertEqual(len(cells), 2)
+        self.assertTrue(cells[1].endswith(f",{PEOPLE}"), cells)
+
+    def test_words_are_published_when_they_were_reviewed(self):
+        comments = [row for row in self.table("answer") if row["instrument"] == "comment"]
+        with (self.folder / "reviewed.csv").open("w", newline="") as file:
+            writer = csv.DictWriter(file, comments[0])
+            writer.writeheader()
+            writer.writerow(comments[0])
+        result = promenade("export", "one.db", "--out", "reviewed", "--public", "--reviewed",
+                           "reviewed.csv", folder=self.folder)
+        self.assertIn(f"{PEOPLE - 1} free answers are left empty", result.stderr)
+        words = [row["text"] for row in self.table("answer", "reviewed")
+                 if row["instrument"] == "comment" and row["text"]]
+        self.assertEqual(words, [comments[0]["text"]])
 
     def test_made_again_it_is_the_same_to_the_byte(self):
         promenade("export", "one.db", "--out", "again", "--include-simulated", folder=self.folder,
@@ -135,6 +182,8 @@ class Export(unittest.TestCase):
                 if column in ("uuid", "code") or column.endswith("_utc"):
                     secrets |= {value for (value,) in self.db.execute(
                         f'SELECT DISTINCT "{column}" FROM "{name}"') if value}
+        secrets |= {text for (text,) in self.db.execute(
+            "SELECT text FROM answer WHERE instrument = 'comment'")}
         secrets |= {str(seed) for (seed,) in self.db.execute("SELECT seed FROM session")}
         self.assertGreater(len(secrets), 5 * PEOPLE)
         for path in (self.folder / "public").rglob("*"):
