@@ -42,14 +42,6 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   return std::nullopt;
 }
 
-Database open(const std::string& file) {
-  Database database = study::open_log(file);
-  if (study::is_damaged(database, {"session", "trial", "answer"})) {
-    throw InputError(file, study::damaged_database);
-  }
-  return database;
-}
-
 LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
   LoggedTrial trial;
   trial.session = session;
@@ -76,8 +68,12 @@ LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
 class Reader {
  public:
   void read(const std::string& file) {
-    Database database = open(file);
-    log_.files.push_back({file, "", 0, 0, 0});
+    Database database = open_database(file);
+    read(database);
+  }
+
+  void read(Database& database) {
+    log_.files.push_back({database.file(), "", 0, 0, 0});
     read_study(database);
     read_sessions(database);
     read_trials(database);
@@ -196,6 +192,25 @@ class Reader {
 };
 
 }  // namespace
+
+Database open_database(const std::string& file) {
+  Database database = study::open_log(file);
+  if (study::is_damaged(database, {"session", "trial", "answer"})) {
+    throw InputError(file, study::damaged_database);
+  }
+  return database;
+}
+
+void refuse_content(const std::string& file, const study::DatabaseError& error) {
+  if (error.about_content()) throw InputError(file, study::damaged_database);
+  throw error;
+}
+
+Log read_log(Database& database) {
+  Reader reader;
+  reader.read(database);
+  return reader.take();
+}
 
 Log read_log(const std::vector<std::string>& files) {
   Reader reader;

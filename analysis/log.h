@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+namespace promenade::study {
+class Database;
+class DatabaseError;
+}  // namespace promenade::study
+
 namespace promenade::analysis {
 
 struct LoggedSession {
@@ -72,6 +77,16 @@ struct Log {
 // version, damaged (also where a row refers to one that is gone), or of another study
 // than the first; the newest version decides.
 Log read_log(const std::vector<std::string>& files);
+
+// The same of one that is open.
+Log read_log(study::Database& database);
+
+// Opens a database of Promenade, read-only, whose rows are whole. Throws InputError as above,
+// and DatabaseError, of which `refuse_content` knows more.
+study::Database open_database(const std::string& file);
+
+// A failure that is about the content of the file, not about the disk, becomes InputError.
+[[noreturn]] void refuse_content(const std::string& file, const study::DatabaseError& error);
 
 // The queries behind it, for people who want to repeat them.
 std::vector<std::string> log_queries();

@@ -40,7 +40,7 @@ void tell_study(Document& page, const study::StudyBundle& bundle) {
       {"study", study.name},
       {"version", study.version},
       {"SHA-256 of all that it shows", bundle.sha256},
-      {"a session takes at most", fmt::format("{} minutes", study.most_minutes)}};
+      {"planned to take at most", fmt::format("{} minutes", study.most_minutes)}};
   if (study.participants > 0)
     rows.push_back({"people planned", std::to_string(study.participants)});
   page.table({"", ""}, rows);

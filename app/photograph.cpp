@@ -36,9 +36,8 @@ void write_png(const std::filesystem::path& file, const Photograph& photograph) 
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
   png_alloc_size_t size = bytes.size();
   // A negative step: the first row is the lowest.
-  const int made =
-      png_image_write_to_memory(&image, bytes.data(), &size, 0, photograph.pixels.data(),
-                                -3 * photograph.width, nullptr);
+  const int made = png_image_write_to_memory(
+      &image, bytes.data(), &size, 0, photograph.pixels.data(), -3 * photograph.width, nullptr);
   if (made == 0) throw OutsideError(file.string() + ": " + image.message);
   bytes.resize(size);
   write_file(file, bytes);

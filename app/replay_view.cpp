@@ -11,7 +11,7 @@
 namespace promenade::app {
 namespace {
 
-constexpr float strip_height = 24;       // at 1280 x 720
+constexpr float strip_height = 24;          // at 1280 x 720
 constexpr std::int64_t flash_us = 400'000;  // of the ring after a press
 
 // Nothing: the session had no window (a simulated one), so its presses have no place.
@@ -66,9 +66,8 @@ std::vector<std::string> replayed_words(const study::StudyBundle& bundle,
   return words;
 }
 
-ReplayView::ReplayView(const study::StudyBundle& bundle,
-                       const study::InterfaceRegistry& registry, const study::LoggedSession& log,
-                       TrialPlayer& player, Gui& gui)
+ReplayView::ReplayView(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
+                       const study::LoggedSession& log, TrialPlayer& player, Gui& gui)
     : bundle_(bundle),
       registry_(registry),
       log_(log),
@@ -121,16 +120,20 @@ void ReplayView::draw_page() {
                .registry = registry_,
                .content = content_,
                .language = language_,
+               .participant = log_.participant,
                .languages = languages_,
                .now_us = player_.session_us(),
                .pilot = log_.pilot,
                .simulated = log_.simulated,
                .fresh = false,
+               .chord = false,
                .failure = nullptr,
+               .copy_problem = nullptr,
                .stage = player_.stage(),
                .stage_plan = stage_plan(),
                .memory = memory_,
                .actions = actions_,
+               .orders = actions_,
                .changes = changes_});
 }
 
@@ -161,8 +164,8 @@ void ReplayView::draw_ring() const {
   const float flash = std::clamp(1 - since_us / static_cast<float>(flash_us), 0.0f, 1.0f);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (flash > 0) {
-    list->AddCircleFilled(centre, (13 + 9 * (1 - flash)) * size, packed(palette.pilot, 0.7f * flash),
-                          48);
+    list->AddCircleFilled(centre, (13 + 9 * (1 - flash)) * size,
+                          packed(palette.pilot, 0.7f * flash), 48);
   }
   list->AddCircle(centre, 13 * size, packed(palette.on_colour), 48, 5 * size);
   list->AddCircle(centre, 13 * size, packed(palette.text), 48, 2 * size);

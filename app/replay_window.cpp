@@ -64,8 +64,8 @@ void play_in_window(const ReplaySetting& setting, bool windowed) {
   const int screen = windowed ? 0 : setting.bundle.study.display.screen;
   require_display(screen);
   require_fonts();
-  Projector projector(setting, {.title = "Promenade: replay", .windowed = windowed,
-                                .screen = screen});
+  Projector projector(setting,
+                      {.title = "Promenade: replay", .windowed = windowed, .screen = screen});
   Window& window = projector.window;
   Playhead head(projector.player.length_us(), setting.speed);
   projector.ask(window.width(), window.height());
@@ -96,8 +96,7 @@ int count_pictures(std::int64_t length_us, double fps, double speed) {
 int write_pictures(const ReplaySetting& setting, const PictureSetting& pictures) {
   require_display();
   require_fonts();
-  Projector projector(setting,
-                      {.title = "Promenade: pictures", .windowed = true, .hidden = true});
+  Projector projector(setting, {.title = "Promenade: pictures", .windowed = true, .hidden = true});
   const OffScreen screen(pictures.width, pictures.height);
   const int count = count_pictures(projector.player.length_us(), pictures.fps, setting.speed);
   for (int k = 0; k < count; ++k) {

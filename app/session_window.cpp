@@ -12,6 +12,7 @@
 #include "app/window/display_loss.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
+#include "study/copy.h"
 #include "study/identity.h"
 
 namespace promenade::app {
@@ -187,10 +188,24 @@ class Player {
       interrupted_ = true;
     }
     if (view_->ended()) return;
+    copy_on_last_page();
     if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
     view_->frame(now_us);
     gui_renderer_.draw();
     draw_examples_window();
+  }
+
+  // While there is still somebody to see that it failed.
+  void copy_on_last_page() {
+    const study::PageKind page = live_.session().page().kind;
+    const bool last = page == study::PageKind::thanks || page == study::PageKind::declined;
+    if (!last || copied_ || !live_.recorded()) return;
+    copied_ = true;
+    live_.save();
+    if (auto problem =
+            study::second_copy_problem(setting_.bundle, setting_.database, setting_.station)) {
+      view_->tell_copy_problem(*problem);
+    }
   }
 
   // By accident, perhaps; nobody is there to be asked when the participant is simulated.
@@ -215,6 +230,7 @@ class Player {
   std::unique_ptr<ExamplesWindow> examples_;
   std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
+  bool copied_ = false;
 };
 
 }  // namespace
@@ -229,7 +245,13 @@ SessionResult run_session(const SessionSetting& setting) {
   require_fonts();
   study::Store store(setting.database, setting.bundle);
   if (!setting.trace.empty()) store.trace_to(setting.trace);
-  return Player(setting, store).play();
+  SessionResult result = Player(setting, store).play();
+  // With how it ended, too.
+  if (result.recorded) {
+    result.copy_problem =
+        study::second_copy_problem(setting.bundle, setting.database, setting.station);
+  }
+  return result;
 }
 
 }  // namespace promenade::app

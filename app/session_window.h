@@ -27,6 +27,7 @@ struct SessionSetting {
 struct SessionResult {
   study::Outcome outcome = study::Outcome::running;
   bool recorded = false;     // there was a code, and the session is in the database
+  std::optional<std::string> copy_problem = {};  // why the study's second copy could not be made
   bool interrupted = false;  // by Ctrl-C or another signal, not by the participant
   // Milliseconds; 0 when there were too few frames.
   double frame_median = 0, frame_p99 = 0, work_median = 0, work_p99 = 0;

@@ -23,15 +23,15 @@ std::size_t end_of(const study::LoggedSession& log, int trial) {
 
 std::int64_t length_of(const study::LoggedSession& log, int trial, std::size_t end) {
   const study::LoggedTrial& one = log.trials[static_cast<std::size_t>(trial)];
-  const std::int64_t last_us =
-      !one.outcome.empty() ? one.ended.t_us : end > 0 ? log.steps[end - 1].t_us() : 0;
+  const std::int64_t last_us = !one.outcome.empty() ? one.ended.t_us
+                               : end > 0            ? log.steps[end - 1].t_us()
+                                                    : 0;
   return whole_grains(std::max<std::int64_t>(0, last_us - one.started_us) + grain_us - 1);
 }
 
 }  // namespace
 
-TrialPlayer::TrialPlayer(const study::StudyBundle& bundle,
-                         const study::InterfaceRegistry& registry,
+TrialPlayer::TrialPlayer(const study::StudyBundle& bundle, const study::InterfaceRegistry& registry,
                          const study::LoggedSession& log, int trial)
     : bundle_(bundle),
       registry_(registry),

@@ -23,7 +23,7 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"study", "study_sha256", "", "hash over study, motion set, models, instruments and texts"},
     {"study", "program_version", "", "version of Promenade that made the row"},
     {"study", "created_utc", "ISO 8601", "when the row was made"},
-    {"study", "motion_set", "", "motion_set.uuid; null in files of before version 2: the only one"},
+    {"study", "motion_set", "", "motion_set.uuid"},
     {"study_part", "study", "", "study.uuid"},
     {"study_part", "path", "",
      "a file that the study names, as it says it; builtin:...: one of the program's that it uses"},

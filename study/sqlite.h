@@ -75,7 +75,10 @@ class Statement {
   void run();   // step to the end and reset, for statements without results
   void reset();
 
+  enum class Type { null, integer, real, text, blob };
+
   int columns() const;
+  Type type(int column) const;
   std::string column_name(int column) const;
   bool is_null(int column) const;
   std::int64_t integer(int column) const;

@@ -17,10 +17,10 @@ struct ListedTrial {
   int attempt = 1;
   bool superseded = false;  // it was done again, and does not count
   std::string task, interface, target;
-  std::string outcome;             // empty: it has not ended
-  std::optional<double> seconds;   // without pauses; nothing: it has not ended
-  std::optional<double> d_final;   // metres; nothing in tasks without a target motion
-  double ended_s = 0;              // by the wall clock, since an epoch; 0: it has not ended
+  std::string outcome;            // empty: it has not ended
+  std::optional<double> seconds;  // without pauses; nothing: it has not ended
+  std::optional<double> d_final;  // metres; nothing in tasks without a target motion
+  double ended_s = 0;             // by the wall clock, since an epoch; 0: it has not ended
 };
 
 // By session, and within one by start.

@@ -76,6 +76,7 @@ void run(const Options& options) {
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
+  if (result.copy_problem) print_note("warning: " + *result.copy_problem);
   if (place && result.recorded) store_place(setting.database, *place, result.outcome);
   if (result.interrupted && !result.recorded) {
     throw OutsideError("interrupted before the session began; nothing is stored, start it again");

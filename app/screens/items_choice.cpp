@@ -61,7 +61,7 @@ void draw_choice(const Pen& pen, const study::Item& item, const study::ItemAnswe
     const bool back = chosen && !item.needed;
     pen.answer(back ? study::SetAnswer{item.name}
                     : study::SetAnswer{item.name, place, choice.name});
-    if (choice.free) pen.ui.focus.write_in("type", own_target(item.name));
+    if (choice.free && !chosen) pen.screen.memory.writes_next = own_target(item.name);
   }
   draw_label(pen, box, pen.in_language(choice.text), chosen, centred);
 }

@@ -45,10 +45,21 @@ Words words_of(const Pen& pen, const study::Item& item) {
   return words;
 }
 
+// The point that has the keyboard; -1: none.
+int focused_point(const Pen& pen, const study::Item& item) {
+  if (!pen.ui.focus.on_first("press", "answer:" + item.name + ":")) return -1;
+  for (int point = 0; point < points_of(item); ++point) {
+    const double value = value_at(item, point);
+    if (pen.ui.focus.on("press", answer_target(item.name, value))) return point;
+  }
+  return -1;
+}
+
 // The arrow keys answer with the neighbour of the value that has the keyboard.
-void move_by_keys(const Pen& pen, const study::Item& item, int point) {
+void move_by_keys(const Pen& pen, const study::Item& item) {
   Focus& focus = pen.ui.focus;
-  if (!focus.on("press", answer_target(item.name, value_at(item, point)))) return;
+  const int point = pen.ui.inert ? -1 : focused_point(pen, item);
+  if (point < 0) return;
   int to = point;
   if (key_pressed(ImGuiKey_LeftArrow)) --to;
   if (key_pressed(ImGuiKey_RightArrow)) ++to;
@@ -75,8 +86,8 @@ int draw_cells(const Pen& pen, const study::Item& item, const study::ItemAnswer&
       pen.answer(back ? study::SetAnswer{item.name} : study::SetAnswer{item.name, value});
     }
     if (!pen.ui.inert && ImGui::IsItemHovered()) hovered = point;
-    if (!pen.ui.inert) move_by_keys(pen, item, point);
   }
+  move_by_keys(pen, item);
   return hovered;
 }
 

@@ -52,9 +52,13 @@ void put_own_words(Pen& pen, const study::Item& item, const study::ItemAnswer& a
   if (!pen.draws) return;
   const auto place = static_cast<std::size_t>(*answer.value) - 1;
   const std::string& name = item.choices[place].name;
-  Draft& draft =
-      draft_of(pen.screen, own_target(item.name), answer.text == name ? "" : answer.text);
-  text_box(pen.ui, own_target(item.name), box, draft,
+  const std::string target = own_target(item.name);
+  Draft& draft = draft_of(pen.screen, target, answer.text == name ? "" : answer.text);
+  if (pen.screen.memory.writes_next == target) {
+    pen.ui.focus.write_in("type", target);
+    pen.screen.memory.writes_next.clear();
+  }
+  text_box(pen.ui, target, box, draft,
            {.most = item.longest,
             .several = false,
             .hint = pen.screen.texts("items.own").c_str()},

@@ -9,10 +9,13 @@ namespace {
 using Action = decltype(study::Input::action);
 
 study::StudyBundle bundle_of(const std::string& interface, const std::string& more) {
-  const std::string text = "[study]\nname = 'replay'\nlanguages = ['en', 'ja']\n"
-                           "[[interface]]\nname = '" + interface + "'\n"
-                           "[[task]]\nname = 'copy'\nkind = 'match'\nplayback = true\n" + more +
-                           "\ntargets = [{example = 'proud'}]\n";
+  const std::string text =
+      "[study]\nname = 'replay'\nlanguages = ['en', 'ja']\n"
+      "[[interface]]\nname = '" +
+      interface +
+      "'\n"
+      "[[task]]\nname = 'copy'\nkind = 'match'\nplayback = true\n" +
+      more + "\ntargets = [{example = 'proud'}]\n";
   return study::read_study("replay.toml", text, interfaces(), study::load_motion_set);
 }
 

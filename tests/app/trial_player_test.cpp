@@ -18,8 +18,7 @@ struct Seen {
   double phase = 0;
   Orbit orbit;
   bool operator==(const Seen& other) const {
-    return weights == other.weights && d == other.d && phase == other.phase &&
-           orbit == other.orbit;
+    return weights == other.weights && d == other.d && phase == other.phase && orbit == other.orbit;
   }
 };
 
