@@ -181,7 +181,7 @@ std::string load_file(const std::string& name, const std::string& folder) {
 }
 
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set, const FileLoader& load_file) {
+                       const SetLoader& load_set, const FileLoader& read) {
   TomlReader reader(file, text);
   if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
@@ -192,7 +192,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_breaks(root, study);
   read_practice(root, study);
   read_safety(root, study);
-  StudyFiles files(std::filesystem::path(file).parent_path().string(), load_file);
+  StudyFiles files(std::filesystem::path(file).parent_path().string(), read);
   bundle.texts = texts_of_languages(files, study.languages);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);

@@ -26,7 +26,7 @@ std::string simulated_ratings_path(std::string_view builtin_set);
 // `file` names the study in problems, and its folder is where paths begin. Throws
 // InputError with all problems at once.
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set, const FileLoader& load_file = load_file);
+                       const SetLoader& load_set, const FileLoader& read = load_file);
 
 // A study as it was frozen, in a packed file or a database.
 struct FrozenStudy {
