@@ -36,7 +36,8 @@ Json to_json(const std::string& file, const study::Audit& audit) {
                {"numbers", audit.numbers},
                {"largest_relative_difference", audit.largest}};
   json["differences"] = Json::array();
-  for (const study::Difference& one : audit.differences) json["differences"].push_back(to_json(one));
+  for (const study::Difference& one : audit.differences)
+    json["differences"].push_back(to_json(one));
   return json;
 }
 
@@ -64,8 +65,9 @@ study::Audit audit_all(study::Database& database) {
 }
 
 std::string difference_line(const study::Difference& one) {
-  return fmt::format("  session {}, trial {}, at {} us: {} is stored as {}, the events lead to {}\n",
-                     one.session, one.trial, one.t_us, one.what, one.stored, one.replayed);
+  return fmt::format(
+      "  session {}, trial {}, at {} us: {} is stored as {}, the events lead to {}\n", one.session,
+      one.trial, one.t_us, one.what, one.stored, one.replayed);
 }
 
 void run_audit(const Options& options, study::Database& database) {
@@ -74,10 +76,10 @@ void run_audit(const Options& options, study::Database& database) {
     print_json(to_json(options.database, audit));
   } else {
     for (const study::Difference& one : audit.differences) print_text(difference_line(one));
-    print_text(fmt::format("{} sessions, {} trials, {} events: {} numbers compared, the largest "
-                           "relative difference is {:.2g}\n",
-                           audit.sessions, audit.trials, audit.events, audit.numbers,
-                           audit.largest));
+    print_text(
+        fmt::format("{} sessions, {} trials, {} events: {} numbers compared, the largest "
+                    "relative difference is {:.2g}\n",
+                    audit.sessions, audit.trials, audit.events, audit.numbers, audit.largest));
   }
   if (audit.differences.empty()) return;
   throw OutsideError(fmt::format(

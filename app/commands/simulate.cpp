@@ -25,8 +25,7 @@ struct Options {
 int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   study::Store store(options.database, bundle);
   if (!options.trace.empty()) store.trace_to(options.trace);
-  const int resumed =
-      study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
+  const int resumed = study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
   if (resumed > 0) print_note(fmt::format("went on with {} interrupted sessions", resumed));
   study::Cohort cohort;
   cohort.participants = options.participants;
