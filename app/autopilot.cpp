@@ -3,9 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/item_targets.h"
+#include "study/utf8.h"
+
 namespace promenade::app {
 
 using study::PageKind;
+
+namespace {
+
+using Action = decltype(study::Input::action);
+
+constexpr const char* release_target = "experimenter:release";
+
+}  // namespace
 
 void Autopilot::push(InputQueue& queue, UiEvent event) const {
   event.t_us = now_us_;
@@ -19,7 +30,7 @@ void Autopilot::enter(Stage stage, double seconds) {
 
 // Another page came up while the hand was on its way (the time was over).
 bool Autopilot::lost(const study::Session& session) const {
-  return has_errand_ && page_ != &session.page();
+  return !errands_.empty() && page_ != &session.page();
 }
 
 void Autopilot::act(std::int64_t now_us, const study::Session& session, const WidgetMap& widgets,
@@ -28,13 +39,13 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
   if (session.ended()) return;
   if (lost(session)) {
     let_go(queue);
-    has_errand_ = false;
+    errands_.clear();
     enter(Stage::thinking, 0.5);
   }
   switch (stage_) {
     case Stage::thinking:
       if (now_us_ < due_us_) return;
-      return has_errand_ ? enter(Stage::reaching, 0) : think(session, widgets);
+      return errands_.empty() ? think(session, widgets, queue) : enter(Stage::reaching, 0);
     case Stage::reaching:
       return reach(widgets, queue);
     case Stage::pressing:
@@ -45,50 +56,130 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
     case Stage::letting_go:
       if (now_us_ < due_us_) return;
       let_go(queue);
-      if (errand_.kind == "type") return enter(Stage::typing, 0.2);
-      has_errand_ = false;
-      return enter(Stage::thinking, 0.1);
+      if (errands_.front().kind == "type") return enter(Stage::typing, 0.2);
+      return forget();
     case Stage::typing:
       return type(queue);
   }
 }
 
-Autopilot::Errand Autopilot::errand_of(const decltype(study::Input::action)& action) const {
-  if (const auto* choice = std::get_if<study::ChooseLanguage>(&action)) {
-    return {"press", "language:" + choice->language};
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
   }
-  if (std::holds_alternative<study::Continue>(action)) return {"press", "continue"};
-  if (std::holds_alternative<study::Resume>(action)) return {"press", "resume"};
-  if (std::holds_alternative<study::Decline>(action)) return {"press", "decline"};
-  if (std::holds_alternative<study::Done>(action)) return {"press", "done"};
-  if (std::holds_alternative<study::StartOver>(action)) return {"press", "start_over"};
-  if (const auto* answer = std::get_if<study::SetAnswer>(&action)) {
-    const auto point = static_cast<int>(std::lround(answer->value.value_or(0)));
-    return {"press", "answer:" + answer->item + ":" + std::to_string(point)};
+  return lines;
+}
+
+// The button that says it alone; empty: there is none.
+std::string button_of(const Action& action) {
+  if (const auto* choice = std::get_if<study::ChooseLanguage>(&action)) {
+    return "language:" + choice->language;
+  }
+  if (std::holds_alternative<study::Continue>(action)) return "continue";
+  if (std::holds_alternative<study::Resume>(action)) return "resume";
+  if (std::holds_alternative<study::Decline>(action)) return "decline";
+  if (std::holds_alternative<study::Done>(action)) return "done";
+  if (std::holds_alternative<study::StartOver>(action)) return "start_over";
+  return "";
+}
+
+}  // namespace
+
+Autopilot::Errands Autopilot::errands_to(const study::Item& item, const study::SetAnswer& set) {
+  using study::ItemKind;
+  const std::string& name = item.name;
+  const double value = set.value.value_or(0);
+  if (set.declined) return {{"press", decline_target(name)}};
+  switch (item.kind) {
+    case ItemKind::scale:
+      return {{"press", answer_target(name, value)}};
+    case ItemKind::agree:
+      return {{"press", agree_target(name)}};
+    case ItemKind::number:
+      return {{.kind = "type", .target = words_target(name), .text = value_text(value)}};
+    case ItemKind::text:
+      return {{.kind = "type", .target = words_target(name), .text = set.text}};
+    case ItemKind::ranking: {
+      Errands errands;
+      for (const std::string& option : lines_of(set.text)) {
+        errands.push_back({"press", rank_target(name, option)});
+      }
+      return errands;
+    }
+    case ItemKind::choice:
+      break;
+  }
+  Errands errands = {{"press", answer_target(name, value)}};
+  const auto place = static_cast<std::size_t>(value) - 1;
+  if (set.text != item.choices[place].name) {
+    errands.push_back({.kind = "type", .target = own_target(name), .text = set.text});
+  }
+  return errands;
+}
+
+Autopilot::Errands Autopilot::errands_of(const study::Session& session, const Action& action) {
+  const std::string button = button_of(action);
+  if (!button.empty()) return {{"press", button}};
+  if (const auto* set = std::get_if<study::SetAnswer>(&action)) {
+    const study::Instrument* asked = session.questions();
+    const study::Item* item = asked == nullptr ? nullptr : find_item(*asked, set->item);
+    return item == nullptr ? Errands{} : errands_to(*item, *set);
   }
   if (const auto* control = std::get_if<study::Control>(&action)) {
     const study::ControlInput& input = control->input;
-    return {input.kind, input.target, input.value, input.x, input.y};
+    return {{input.kind, input.target, input.value, input.x, input.y}};
   }
   return {};
 }
 
-void Autopilot::think(const study::Session& session, const WidgetMap& widgets) {
-  page_ = &session.page();
+void Autopilot::plan(Errands errands, double seconds) {
+  errands_ = std::move(errands);
+  enter(Stage::thinking, seconds);
+}
+
+void Autopilot::forget() {
+  if (!errands_.empty()) errands_.pop_front();
+  enter(Stage::thinking, errands_.empty() ? 0.1 : 0.4);
+}
+
+bool Autopilot::think_of_the_program(const WidgetMap& widgets, InputQueue& queue) {
   if (const Widget* offer = widgets.find_first("press", "resume:")) {
-    has_errand_ = true;
-    errand_ = {"press", offer->target};
-    return enter(Stage::thinking, 1);
+    plan({{"press", offer->target}}, 1);
+    return true;
   }
   if (page_->kind == PageKind::welcome && !code_typed_) {
-    has_errand_ = true;
-    errand_ = {"type", "code"};
-    return enter(Stage::thinking, 1);
+    plan({{.kind = "type", .target = "code", .text = code_}}, 1);
+    code_typed_ = true;
+    return true;
   }
+  if (page_->kind != PageKind::release) return false;
+  if (widgets.find("press", release_target) == nullptr) {
+    press_chord(queue);
+    plan({}, 1);
+  } else {
+    plan({{"press", release_target}}, 1);
+  }
+  return true;
+}
+
+void Autopilot::press_chord(InputQueue& queue) {
+  for (const bool down : {true, false}) {
+    for (const int key : experimenter_chord) {
+      push(queue, {.kind = UiEvent::Kind::key, .code = key, .down = down});
+    }
+  }
+}
+
+void Autopilot::think(const study::Session& session, const WidgetMap& widgets, InputQueue& queue) {
+  page_ = &session.page();
+  if (think_of_the_program(widgets, queue)) return;
   const study::Intention intention = participant_.next(session);
-  errand_ = errand_of(intention.action);
-  has_errand_ = !errand_.kind.empty();
-  enter(Stage::thinking, 1e-6 * static_cast<double>(intention.wait_us));
+  plan(errands_of(session, intention.action), 1e-6 * static_cast<double>(intention.wait_us));
 }
 
 // The time that a hand takes grows with the way (after Fitts).
@@ -125,11 +216,11 @@ Autopilot::Point Autopilot::aim_at(const Widget& widget, const Errand& errand) {
 void Autopilot::reach(const WidgetMap& widgets, InputQueue& queue) {
   if (moving_ && !moved(queue)) return;
   if (now_us_ < due_us_) return;
-  const Widget* widget = widgets.find(errand_.kind, errand_.target);
-  if (widget == nullptr) {  // not on this page: think again
-    has_errand_ = false;
-    return enter(Stage::thinking, 0.3);
-  }
+  const Errand& errand = errands_.front();
+  const Widget* widget = widgets.find(errand.kind, errand.target);
+  // Not on this page: think again. What is in the order already stays there.
+  const bool ranked = widget != nullptr && widget->on && errand.target.rfind("rank:", 0) == 0;
+  if (widget == nullptr || ranked) return forget();
   if (!widget->visible()) {
     const Point middle{widget->view.middle_x(), widget->view.middle_y()};
     if (std::hypot(at_.x - middle.x, at_.y - middle.y) > 2) return start_moving(middle);
@@ -137,7 +228,7 @@ void Autopilot::reach(const WidgetMap& widgets, InputQueue& queue) {
     push(queue, {.kind = UiEvent::Kind::wheel, .y = notch});
     return enter(Stage::reaching, 0.06);
   }
-  const Point aim = aim_at(*widget, errand_);
+  const Point aim = aim_at(*widget, errand);
   if (std::hypot(at_.x - aim.x, at_.y - aim.y) > 1) return start_moving(aim);
   enter(Stage::pressing, 0.06);
 }
@@ -146,10 +237,11 @@ void Autopilot::press(const WidgetMap& widgets, InputQueue& queue) {
   if (now_us_ < due_us_) return;
   push(queue, {.kind = UiEvent::Kind::button, .code = 0, .down = true});
   holding_ = true;
-  const Widget* widget = widgets.find(errand_.kind, errand_.target);
-  if (widget != nullptr && widget->slides && std::isfinite(errand_.value)) {
+  const Errand& errand = errands_.front();
+  const Widget* widget = widgets.find(errand.kind, errand.target);
+  if (widget != nullptr && widget->slides && std::isfinite(errand.value)) {
     const double span = widget->at_one - widget->at_zero;
-    start_moving({widget->at_zero + errand_.value * span, at_.y});
+    start_moving({widget->at_zero + errand.value * span, at_.y});
     return enter(Stage::dragging, 0);
   }
   enter(Stage::letting_go, 0.09);
@@ -162,13 +254,14 @@ void Autopilot::let_go(InputQueue& queue) {
 
 void Autopilot::type(InputQueue& queue) {
   if (now_us_ < due_us_) return;
-  if (typed_ < code_.size()) {
-    push(queue, {.kind = UiEvent::Kind::character, .code = code_[typed_++]});
+  std::string& left = errands_.front().text;
+  if (!left.empty()) {
+    push(queue, {.kind = UiEvent::Kind::character, .code = study::take_character(left)});
     return enter(Stage::typing, 0.12);
   }
-  code_typed_ = true;
-  has_errand_ = false;
-  enter(Stage::thinking, 0.2);
+  forget();
+  // What was written is told when the hand rests.
+  enter(Stage::thinking, 1);
 }
 
 }  // namespace promenade::app

@@ -1,9 +1,10 @@
 // A simulated participant at the mouse: turns intentions into mouse and keyboard
 // events that enter where those of the window do, so that the real widgets are
 // clicked and dragged. The pointer moves as a hand does: smoothly, and longer for
-// longer ways.
+// longer ways. Where the experimenter has to let people go on it is the experimenter, too.
 #pragma once
 
+#include <deque>
 #include <string>
 
 #include "app/widget_map.h"
@@ -31,10 +32,19 @@ class Autopilot {
     std::string kind, target;
     double value = study::no_value;                   // where a slider is taken to
     double x = study::no_value, y = study::no_value;  // where a plane is pressed
+    std::string text = "";                            // what is typed there
   };
+  using Errands = std::deque<Errand>;
 
-  void think(const study::Session& session, const WidgetMap& widgets);
-  Errand errand_of(const decltype(study::Input::action)& action) const;
+  void think(const study::Session& session, const WidgetMap& widgets, InputQueue& queue);
+  // Before the session asks for anything: offers, the code, the experimenter's panel.
+  bool think_of_the_program(const WidgetMap& widgets, InputQueue& queue);
+  void plan(Errands errands, double seconds);
+  void press_chord(InputQueue& queue);
+  void forget();
+  static Errands errands_to(const study::Item& item, const study::SetAnswer& set);
+  static Errands errands_of(const study::Session& session,
+                            const decltype(study::Input::action)& action);
   static Point aim_at(const Widget& widget, const Errand& errand);
   void start_moving(Point to);
   bool moved(InputQueue& queue);  // true: there
@@ -52,13 +62,11 @@ class Autopilot {
   std::int64_t now_us_ = 0;
   Stage stage_ = Stage::thinking;
   std::int64_t due_us_ = 0;  // when the stage may end
-  bool has_errand_ = false;
-  Errand errand_;
+  Errands errands_;  // the first is under way
   const study::Page* page_ = nullptr;  // where the errand was thought of
   Point at_{640, 360}, from_, to_;
   std::int64_t left_us_ = 0, arrives_us_ = 0;
   bool moving_ = false, holding_ = false;
-  std::size_t typed_ = 0;
 };
 
 }  // namespace promenade::app

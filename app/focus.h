@@ -19,6 +19,10 @@ class Focus {
   bool on(std::string_view kind, std::string_view target) const {
     return kind == kind_ && target == target_;
   }
+  // On one whose target begins so?
+  bool on_first(std::string_view kind, std::string_view beginning) const {
+    return kind == kind_ && target_.rfind(beginning, 0) == 0;
+  }
   // The keyboard works on nothing: Enter is the page's main button.
   bool nowhere() const { return kind_.empty(); }
   void leave() { take({}, {}); }

@@ -70,6 +70,9 @@ void draw_icon(const Box& box, Icon icon, const Rgb& colour, float thickness) {
       pen.line(0.74f, 0.12f, 0.9f, 0.28f);
       pen.line(0.9f, 0.28f, 0.4f, 0.78f);
       return pen.line(0.4f, 0.78f, 0.12f, 0.88f);
+    case Icon::check:
+      pen.line(0.2f, 0.52f, 0.42f, 0.74f);
+      return pen.line(0.42f, 0.74f, 0.82f, 0.26f);
     case Icon::back:
       pen.line(0.66f, 0.12f, 0.28f, 0.5f);
       return pen.line(0.28f, 0.5f, 0.66f, 0.88f);

@@ -8,6 +8,7 @@
 #include "app/live_session.h"
 #include "app/screens/screen.h"
 #include "app/window/input_queue.h"
+#include "app/window/shown_frame.h"
 
 namespace promenade::app {
 
@@ -32,13 +33,15 @@ class SessionView {
   // in ImGui::GetDrawData.
   void frame(std::int64_t now_us);
   // A frame was put on screen.
-  void shown(std::int64_t shown_us, std::int64_t late_us);
+  void shown(const ShownFrame& frame);
   // The window is to be closed. Where there can be a pause it opens one that offers the end
   // of the session; asked there again, or anywhere else, the session is over.
   void ask_to_close(std::int64_t now_us);
   // `actor`: the participant who closed the window, or the experimenter.
   void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;
+  // The last page says from now on that there is no second copy of the database, and why.
+  void tell_copy_problem(std::string problem) { copy_problem_ = std::move(problem); }
 
   // Draws the figures of the page, large and small, and the ground of its panel.
   void draw_figures(FigureRenderer& renderer);
@@ -49,6 +52,7 @@ class SessionView {
 
  private:
   bool covered() const;  // by a page without figures
+  bool is_fresh();
   bool has_panel() const;
   Cast cast() const;
   StagePlan stage_plan() const;
@@ -58,6 +62,7 @@ class SessionView {
   void take_actions();
   void leave_welcome();
   void resume(const std::string& uuid, std::int64_t now_us);
+  void refuse_offers();
   void speak(const std::string& language);
 
   const study::StudyBundle& bundle_;
@@ -76,11 +81,13 @@ class SessionView {
   WidgetMap widgets_;
   Focus focus_;
   std::vector<StudyAction> actions_;
+  std::vector<StudyAction> orders_;  // of the experimenter
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;
   std::int64_t shown_us_ = -1, shown_before_us_ = -1;
   const study::Page* page_ = nullptr;  // of the frame before
-  bool paused_ = false;                // and whether it was paused
+  int cover_ = 0;                      // and what covered it
+  std::string copy_problem_;           // empty: none
   bool closed_ = false;
 };
 

@@ -23,6 +23,7 @@ struct Widget {
   float zero_x = 0, zero_y = 0, unit_x = 0, unit_y = 0;
   bool plane = false;
   bool stop = true;  // the Tab key stops here
+  bool on = false;   // it is the answer that was chosen
 
   bool visible() const {
     return view.holds(box.middle_x(), box.y + 1) && view.holds(box.middle_x(), box.bottom() - 1);
@@ -50,6 +51,7 @@ class WidgetMap {
     slot.unit_y = widget.unit_y;
     slot.plane = widget.plane;
     slot.stop = widget.stop;
+    slot.on = widget.on;
   }
   const Widget* find(std::string_view kind, std::string_view target) const {
     for (std::size_t i = 0; i < used_; ++i) {

@@ -51,6 +51,14 @@ enum class ButtonKind { quiet, outlined, filled };
 bool button(const Ui& ui, std::string_view target, const Box& box, std::string_view label,
             ButtonKind kind, bool enabled = true);
 
+// One of the answers to a question; true: pressed and released on it. The Tab key passes by
+// what does not `stop` it.
+bool answer_button(const Ui& ui, std::string_view target, const Box& box, std::string_view label,
+                   bool chosen, bool stop = true);
+
+// The same where the answer is drawn elsewhere.
+bool answer_area(const Ui& ui, std::string_view target, const Box& box, bool chosen);
+
 // A quiet button within a row; true: pressed.
 bool small_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
                   std::string_view label);
@@ -62,7 +70,7 @@ bool tile(const Ui& ui, std::string_view kind, std::string_view target, const Bo
 bool list_row(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
               std::string_view label, bool marked);
 
-enum class Icon { undo, redo, play, pause, plus, close, pen, back, minus };
+enum class Icon { undo, redo, play, pause, plus, close, pen, back, minus, check };
 
 // A square button with a sign instead of words; true: pressed and released on it.
 bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,

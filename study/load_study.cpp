@@ -11,14 +11,35 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/pack.h"
 #include "study/plan.h"
 #include "study/ratings_csv.h"
+#include "study/simulated_raters.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
 namespace {
 
 constexpr std::string_view configs = "configs/";
+constexpr std::string_view builtin_prefix = "builtin:";
+
+bool is_builtin(const std::string& name) { return name.rfind(builtin_prefix, 0) == 0; }
+
+std::optional<std::string> simulated_ratings_in(const std::string& path) {
+  for (const char* set : {"A", "B", "N"}) {
+    if (path != simulated_ratings_path(set)) continue;
+    if (const auto table = simulated_ratings(set)) return ratings_csv(*table);
+  }
+  return std::nullopt;
+}
+
+// Of a file that comes with the program, or is made by it.
+std::string builtin_content(const std::string& name) {
+  const std::string path = name.substr(builtin_prefix.size());
+  if (const auto text = embedded_file(path)) return std::string(*text);
+  if (auto ratings = simulated_ratings_in(path)) return std::move(*ratings);
+  throw InputError(name, "does not come with this version of Promenade");
+}
 
 std::string text_of(const std::string& file) {
   std::error_code ignored;
@@ -54,14 +75,34 @@ bool names_its_set(const TomlTable& root) {
   return root.reader().whole() || (section && section->has("set"));
 }
 
-// Made once, and only when an interface asks.
-std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
+std::shared_ptr<const AdjectiveModel> default_adjectives(const std::string& builtin_set) {
+  auto model = builtin_adjective_model(builtin_set);
+  return model ? std::make_shared<const AdjectiveModel>(std::move(*model)) : nullptr;
+}
+
+// Made once, and only when an interface asks: of ratings by simulated raters, which are part
+// of the study from then on.
+std::shared_ptr<const AdjectiveModel> adjectives_of(StudyFiles& files, StudyBundle& bundle) {
   const auto builtin = motion::builtin_name(bundle.study.set);
   if (bundle.adjectives || !builtin) return bundle.adjectives;
-  if (auto model = builtin_adjective_model(*builtin)) {
-    bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
-  }
+  // Its own ratings cannot be used, which was said: no need to say more of them.
+  if (!bundle.study.ratings_file.empty()) return default_adjectives(*builtin);
+  const std::string path = simulated_ratings_path(*builtin);
+  RatingsTable table = read_ratings_csv(builtin_path(path), files.read_builtin(path),
+                                        motion::names_of(bundle.space.set));
+  const std::string source = fmt::format("{} simulated raters", table.raters);
+  bundle.adjectives =
+      std::make_shared<const AdjectiveModel>(make_adjective_model(std::move(table), source));
   return bundle.adjectives;
+}
+
+StudyTexts texts_of_languages(StudyFiles& files, const std::vector<std::string>& languages) {
+  StudyTexts texts;
+  for (const std::string& language : languages) {
+    const std::string path = "languages/" + language + ".toml";
+    texts.emplace(language, load_texts(language, builtin_path(path), files.read_builtin(path)));
+  }
+  return texts;
 }
 
 // What nobody may take for people's opinion.
@@ -104,17 +145,10 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   std::string bytes;
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
+  put(bytes, std::to_string(bundle.parts.size()));
   for (const StudyPart& part : bundle.parts) {
     put(bytes, part.path);
     put(bytes, part.content);
-  }
-  if (bundle.adjectives) put(bytes, ratings_csv(bundle.adjectives->table));
-  for (const std::string& language : bundle.study.languages) {
-    const Texts texts = load_texts(language);
-    for (const std::string& key : texts.keys()) {
-      put(bytes, key);
-      put(bytes, texts(key));
-    }
   }
   for (const InterfaceUse& use : bundle.study.interfaces) {
     const InterfaceType* type = registry.find(use.type);
@@ -130,7 +164,16 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   return sha256_hex(bytes);
 }
 
+std::string builtin_path(std::string_view path) {
+  return std::string(builtin_prefix) + std::string(path);
+}
+
+std::string simulated_ratings_path(std::string_view builtin_set) {
+  return "ratings/" + std::string(builtin_set) + ".csv";
+}
+
 std::string load_file(const std::string& name, const std::string& folder) {
+  if (is_builtin(name)) return builtin_content(name);
   return read_file((std::filesystem::path(folder) / name).string());
 }
 
@@ -147,6 +190,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_practice(root, study);
   read_safety(root, study);
   StudyFiles files(std::filesystem::path(file).parent_path().string(), load_file);
+  bundle.texts = texts_of_languages(files, study.languages);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
@@ -156,14 +200,14 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
     read_ratings_file(root, files, bundle);
   }
   bool asked = false;
-  const InterfaceResources resources{bundle.space, [&bundle, &asked] {
+  const InterfaceResources resources{bundle.space, [&bundle, &files, &asked] {
                                        asked = true;
-                                       return adjectives_of(bundle);
+                                       return adjectives_of(files, bundle);
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
-  InstrumentShelf instruments(files, study);
+  InstrumentShelf instruments(files, study, bundle.texts);
   study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments,
-                                  files, &bundle.bank, resources.adjectives});
+                                  bundle.texts, files, &bundle.bank, resources.adjectives});
   if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
   if (reader.ok()) warn_of_numbers(root, study);
@@ -177,8 +221,31 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   return bundle;
 }
 
+StudyBundle read_frozen_study(const std::string& file, const FrozenStudy& frozen,
+                              const InterfaceRegistry& registry) {
+  const auto part = [&](const std::string& name, const std::string& folder) {
+    for (const StudyPart& one : frozen.parts) {
+      if (one.path == name) return one.content;
+    }
+    if (is_builtin(name)) return load_file(name, folder);
+    throw InputError(file, "does not hold \"" + name + "\", which the study names");
+  };
+  const auto set = [&](const std::string&, const std::string&) {
+    return motion::from_bytes(frozen.set_bytes, file);
+  };
+  StudyBundle bundle = read_study(file, frozen.config_text, registry, set, part);
+  // As they were frozen, whatever else this program would take or write.
+  bundle.parts = frozen.parts;
+  bundle.set_bytes = frozen.set_bytes;
+  bundle.set_sha256 = sha256_hex(bundle.set_bytes);
+  bundle.sha256 = study_hash(bundle, registry);
+  return bundle;
+}
+
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry) {
-  return read_study(file, text_of(file), registry, load_motion_set);
+  std::string text = text_of(file);
+  if (is_packed(text)) return unpack_study(text, file, registry);
+  return read_study(file, std::move(text), registry, load_motion_set);
 }
 
 }  // namespace promenade::study

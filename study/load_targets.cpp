@@ -132,7 +132,7 @@ bool says(const std::string& text, const std::string& word) {
 void warn_of_labels(const TomlTable& table, const Target& target, const StudyContext& context) {
   if (!context.space) return;
   for (const auto& [language, quality] : target.quality) {
-    const Texts texts = load_texts(language);
+    const Texts texts = texts_in(context.texts, language);
     for (const motion::Cycle& cycle : context.space->set.cycles) {
       const std::string label = texts.style(cycle.style);
       if (!says(label, quality) && !says(quality, label) && !says(cycle.name, quality)) continue;

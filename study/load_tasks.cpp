@@ -211,6 +211,13 @@ void take_targets(const TomlTable& table, const Task& guess, Task& task) {
     table.error(key, std::string("a task that begins from a guess has the \"") + key +
                          "\" of that task; leave this out");
   }
+  for (const int interface : task.interfaces) {
+    const std::vector<int>& guessed = guess.interfaces;
+    if (std::find(guessed.begin(), guessed.end(), interface) != guessed.end()) continue;
+    table.error("interfaces", "a task that begins from a guess has no other interfaces than \"" +
+                                  guess.name + "\"");
+    break;
+  }
   task.targets = guess.targets;
   task.practice = guess.practice;
   task.deal = guess.deal;

@@ -29,7 +29,8 @@ std::string_view to_text(ResumePolicy policy);             // "continue", "trial
 ResumePolicy resume_policy_of(std::string_view word);      // unknown: continue_
 
 // What can happen to a session.
-struct Tick {};  // time passed
+struct Tick {};  // time passed, and what glides has moved on
+struct Wait {};  // time passed: deadlines fall due, nothing new is shown (a replay)
 struct ChooseLanguage {
   std::string language;
 };
@@ -90,7 +91,7 @@ struct Input {
   std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
-  std::variant<Tick, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver, Undo,
+  std::variant<Tick, Wait, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver, Undo,
                Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release, Skip,
                Repeat, Interrupted>
       action;
@@ -99,10 +100,12 @@ struct Input {
 // What is logged: one for each row of the database, in order. Kinds of events:
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
 // begins from the common start), "language" (target: the one chosen), "continue",
-// "continue_refused", "decline", "pause", "resume", "press", "done", "start_over", "undo",
-// "redo", "answer", "camera", "playback", "late_frame", "stop"; of the system also "won" (D
-// stayed below the threshold for the dwell time), "timeout", "won_by_guess" (a trial that its
-// guess had already won) and "interrupted" (value: the gap in seconds, target: the policy); of
+// "continue_refused", "done_refused", "decline", "pause", "resume", "press", "done",
+// "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame", "stop"; of the
+// system also "won" (D stayed below the threshold for the dwell time), "timeout",
+// "won_by_guess" (a trial that its guess had already won), "practice_again" and
+// "practice_over" (value: successes; target: why) and "interrupted" (value: the gap in
+// seconds, target: the policy); of
 // the experimenter also "note", "release", "skip" and "repeat" (target: "trial" or "block");
 // and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
@@ -219,7 +222,8 @@ class Session {
 
   // Time limits and dwell times that passed before the input come first, stamped
   // with their own time. Records are returned in the order of their times. While it is
-  // paused only Resume and Stop do anything, and no deadline comes nearer.
+  // paused no deadline comes nearer, and of what participants do only Resume and Stop count;
+  // what the experimenter does ends the pause, a note apart.
   std::vector<Record> step(const Input& input);
 
   // Another order, while nothing but the first page has been shown.
@@ -239,6 +243,9 @@ class Session {
   bool answered() const;  // all that is needed
   // Now, which is the time of the last input.
   bool can_continue() const;
+  // What the experimenter can do now.
+  bool can_skip() const;
+  bool can_repeat() const { return last_begun_ >= 0; }
   // How long a break has to last from now on; 0 on other pages.
   std::int64_t break_left_us() const;
   bool paused() const { return paused_since_us_.has_value(); }

@@ -158,8 +158,11 @@ class PlayedSession {
 
   void play() {
     while (!session_.ended()) {
-      if (input_.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
-      act(participant_.next(session_));
+      if (input_.t_us > longest_session_us) {
+        step(0, Stop{"a simulated session never ends"});
+      } else {
+        act(participant_.next(session_));
+      }
     }
   }
 
@@ -231,8 +234,12 @@ int resume_simulated_sessions(const StudyBundle& bundle, const InterfaceRegistry
                               Store& store, std::uint64_t seed) {
   int done = 0;
   for (const InterruptedSession& one : store.interrupted_sessions(true, false)) {
-    resume_simulated(bundle, registry, store, one, seed);
-    ++done;
+    try {
+      resume_simulated(bundle, registry, store, one, seed);
+      ++done;
+    } catch (const TakenError&) {
+      // Another process goes on with it.
+    }
   }
   return done;
 }

@@ -14,8 +14,9 @@ class StudyFiles {
       : folder_(std::move(folder)), load_(std::move(load)) {}
   // `path` as the study says it, from its folder. Throws InputError or OutsideError.
   const std::string& read(const std::string& path);
-  // One of the program's own, which is part of the study all the same.
-  void keep(const std::string& path, std::string content);
+  // One that comes with the program, "instruments/sus.toml": it is part of the study, too,
+  // under the path "builtin:instruments/sus.toml"; of a frozen study it is the frozen one.
+  const std::string& read_builtin(const std::string& path) { return read(builtin_path(path)); }
   std::string full_path(const std::string& path) const;  // for messages
   std::vector<StudyPart> parts() const;                  // by path
 
@@ -28,7 +29,8 @@ class StudyFiles {
 // The instruments that a study names, each read once into Study::instruments.
 class InstrumentShelf {
  public:
-  InstrumentShelf(StudyFiles& files, Study& study) : files_(files), study_(study) {}
+  InstrumentShelf(StudyFiles& files, Study& study, const StudyTexts& texts)
+      : files_(files), study_(study), texts_(texts) {}
   // The one that `key` of the table names: one of the program's, or a file of the study,
   // "mine.toml". Its index; -1 after a problem.
   int find(const TomlTable& table, std::string_view key);
@@ -36,8 +38,10 @@ class InstrumentShelf {
  private:
   int add(Instrument instrument);
   InstrumentFile read_own(const std::string& name);
+  InstrumentFile read_builtin(const std::string& name);
   StudyFiles& files_;
   Study& study_;
+  const StudyTexts& texts_;
   std::map<std::string, int> known_;
 };
 
@@ -47,6 +51,7 @@ struct StudyContext {
   const Study& study;                // what has been read so far
   const motion::MotionSpace* space;  // null: the set could not be read
   InstrumentShelf& instruments;
+  const StudyTexts& texts;
   StudyFiles& files;
   const motion::PoseBank* bank;  // of the space
   // Made when first asked for; null: nobody has rated the motions of this set.

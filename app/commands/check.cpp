@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/commands/target_report.h"
+#include "app/ethics_page.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "motion/files.h"
 #include "study/plan.h"
 #include "study/session_length.h"
 
@@ -125,7 +128,25 @@ std::string bundle_text(const StudyBundle& bundle, const Report& report) {
   return report.targets.empty() ? text : text + targets_text(report.targets);
 }
 
-void run(const std::vector<std::string>& files, bool json) {
+// Nothing is written for a study that cannot be run.
+void write_ethics_page(const StudyBundle& bundle, const std::string& file) {
+  if (file.empty()) return;
+  const bool html = std::filesystem::path(file).extension() == ".html";
+  write_file(file, ethics_page(bundle, html ? PageFormat::html : PageFormat::markdown));
+}
+
+void refuse_odd_page(const std::vector<std::string>& files, const std::string& ethics) {
+  if (ethics.empty()) return;
+  const std::string ending = std::filesystem::path(ethics).extension();
+  if (ending != ".html" && ending != ".md") {
+    throw InputError("--ethics " + ethics, "must end in .html or .md");
+  }
+  if (files.size() > 1)
+    throw InputError("--ethics " + ethics, "is about one study; name only that");
+}
+
+void run(const std::vector<std::string>& files, const std::string& ethics, bool json) {
+  refuse_odd_page(files, ethics);
   Json document = {{"studies", Json::array()}};
   std::vector<Problem> errors;
   interrupted();  // from now on Ctrl-C is seen between two targets
@@ -134,6 +155,7 @@ void run(const std::vector<std::string>& files, bool json) {
       StudyBundle bundle = study::load_study(file, interfaces());
       const Report report = report_study(bundle);
       print_problems(bundle.warnings);
+      write_ethics_page(bundle, ethics);
       document["studies"].push_back(bundle_json(bundle, report));
       if (!json) print_text(bundle_text(bundle, report));
     } catch (const InputError& error) {
@@ -149,11 +171,15 @@ void run(const std::vector<std::string>& files, bool json) {
 
 void add_check_command(CLI::App& program) {
   auto files = std::make_shared<std::vector<std::string>>();
+  auto ethics = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
   CLI::App* command = program.add_subcommand("check", "Reads everything a study names");
   command->add_option("studies", *files, "study files (.toml)")->required();
+  command->add_option("--ethics", *ethics,
+                      "a page for an ethics board to write (.html or .md): what is asked and "
+                      "stored, and how people withdraw");
   command->add_flag("--json", *json, "one JSON document on stdout");
-  command->callback([files, json] { run(*files, *json); });
+  command->callback([files, ethics, json] { run(*files, *ethics, *json); });
 }
 
 }  // namespace promenade::app

@@ -225,7 +225,7 @@ void add_model_targets(CLI::App& model) {
   auto* command = model.add_subcommand(
       "targets", "What all five interfaces can do about the targets of a study");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("study", given->study, "A study file (.toml)")->required();
+  command->add_option("study", given->study, "A study file (.toml or .study)")->required();
   auto* ratings =
       command->add_option("--ratings", given->ratings.name,
                           "DB or CSV behind the adjectives; built-in sets have simulated raters");

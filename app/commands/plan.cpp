@@ -213,7 +213,7 @@ void run(const Options& options) {
 void add_plan_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("plan", "Who gets what in which order");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--participants", options->participants, "how many sessions to plan")
       ->required()
       ->check(CLI::Range(1, 100'000));

@@ -76,13 +76,14 @@ void run(const Options& options) {
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
+  if (result.copy_problem) print_note("warning: " + *result.copy_problem);
   if (place && result.recorded) store_place(setting.database, *place, result.outcome);
   if (result.interrupted && !result.recorded) {
     throw OutsideError("interrupted before the session began; nothing is stored, start it again");
   }
   if (result.interrupted) {
     throw OutsideError("interrupted; the session until then is in " + setting.database +
-                       ", start it again to go on or for the next participant");
+                       ", start a new one for the next participant");
   }
   print_result(result, setting.database);
 }
@@ -92,7 +93,7 @@ void run(const Options& options) {
 void add_run_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
   const CLI::Option* code =
       command->add_option("--participant", options->participant,

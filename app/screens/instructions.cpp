@@ -1,7 +1,7 @@
 // What the coming block asks for: words and walking figures at the left, the very
 // controls at the right, to be looked at.
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "app/screens/screen.h"
 
@@ -15,25 +15,35 @@ std::string match_text(const Screen& screen, const study::Task& task) {
   return screen.texts.with("instructions.match", {{"ending", screen.texts(ending)}});
 }
 
+std::string kind_text(const Screen& screen, const study::Task& task) {
+  switch (task.kind) {
+    case study::TaskKind::match:
+      return match_text(screen, task);
+    case study::TaskKind::find:
+      return screen.texts("instructions.find");
+    case study::TaskKind::guess:
+      return screen.texts("instructions.guess");
+    case study::TaskKind::rate:
+      break;
+  }
+  const char* beside = task.reference < 0 ? "instructions.rate" : "instructions.rate_beside";
+  return screen.texts(beside);
+}
+
 std::string task_text(const Screen& screen) {
   const study::Task& task = task_of(screen);
-  const bool match = task.kind == study::TaskKind::match;
-  std::string text = match ? match_text(screen, task) : screen.texts("instructions.find");
+  const std::string text = kind_text(screen, task);
   if (!task.limit_s) return text + "\n\n" + screen.texts("instructions.no_limit");
   const std::string seconds = std::to_string(std::lround(*task.limit_s));
   return text + "\n\n" + screen.texts.with("instructions.limit", {{"seconds", seconds}});
 }
 
 std::string help_text(const Screen& screen) {
-  std::string text =
-      screen.texts("instructions.camera") + "\n" + screen.texts("instructions.start_over");
+  const char* controls =
+      planned_trial(screen).interface < 0 ? "instructions.pause" : "instructions.start_over";
+  std::string text = screen.texts("instructions.camera") + "\n" + screen.texts(controls);
   if (planned_trial(screen).practice) text += "\n" + screen.texts("instructions.practice");
   return text;
-}
-
-const study::InterfaceUse& use_of(const Screen& screen) {
-  const auto index = static_cast<std::size_t>(planned_trial(screen).interface);
-  return screen.bundle.study.interfaces[index];
 }
 
 // As it looks at the start of a trial, and one thing done to it.
@@ -53,6 +63,7 @@ void picture_controls(const Screen& screen, const study::InterfaceType& type) {
 }
 
 void draw_picture(const Screen& screen) {
+  if (planned_trial(screen).interface < 0) return draw_rate_picture(screen);
   const study::InterfaceType& type = *screen.registry.find(use_of(screen).type);
   picture_controls(screen, type);
   Ui ui = screen.ui;
@@ -72,15 +83,18 @@ struct Paragraphs {
   std::string text;
   float gap;  // below, at 720
 };
-using Words = std::array<Paragraphs, 4>;
+using Words = std::vector<Paragraphs>;
 
 Words words_of(const Screen& screen, ImFont* font, float gap) {
   const Fonts& fonts = screen.ui.look.fonts;
-  const std::string key = "interface." + use_of(screen).type + ".";
-  return {{{font, task_text(screen), gap},
-           {fonts.bold, screen.texts(key + "title"), 2},
-           {font, screen.texts(key + "hint"), gap},
-           {fonts.text, help_text(screen), 0}}};
+  Words words = {{font, task_text(screen), gap}};
+  if (planned_trial(screen).interface >= 0) {
+    const study::InterfaceUse& use = use_of(screen);
+    words.push_back({fonts.bold, title_of(screen, use), 2});
+    words.push_back({font, screen.texts("interface." + use.type + ".hint"), gap});
+  }
+  words.push_back({fonts.text, help_text(screen), 0});
+  return words;
 }
 
 float height_of(const Screen& screen, const Words& words, float width) {

@@ -1,9 +1,22 @@
 #include "app/screens/screen.h"
 
 namespace promenade::app {
+namespace {
+
+// Nobody should look for controls that are no longer there.
+std::string controls_text(const Screen& screen) {
+  const auto trial = static_cast<std::size_t>(screen.session.page().trial);
+  const std::vector<study::PlannedTrial>& trials = screen.session.plan().trials;
+  const bool same = trial > 0 && trials[trial - 1].interface == trials[trial].interface;
+  if (same || trials[trial].interface < 0) return "";
+  return "\n\n" + screen.texts.with("intro.controls", {{"title", title_of(screen, use_of(screen))}});
+}
+
+}  // namespace
 
 void draw_intro(const Screen& screen) {
-  const std::string text = ask(screen, "intro") + "\n\n" + screen.texts("intro.ready");
+  const std::string text =
+      ask(screen, "intro") + controls_text(screen) + "\n\n" + screen.texts("intro.ready");
   bool pressed = false;
   draw_text_page(screen, {screen.texts("intro.title"), text, screen.texts("button.start")}, true,
                  pressed);

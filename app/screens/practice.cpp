@@ -21,11 +21,9 @@ std::string_view line_of(std::string_view text, std::size_t number) {
 // done, the last from the fourth thing on.
 void draw_practice_hint(const Screen& screen, const study::TrialState& trial) {
   const study::PlannedTrial& planned = planned_trial(screen);
-  if (!planned.practice) return;
+  if (!planned.practice || planned.interface < 0) return;
   const Ui& ui = screen.ui;
-  const study::InterfaceUse& use =
-      screen.bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
-  const std::string key = "interface." + use.type + ".practice";
+  const std::string key = "interface." + use_of(screen).type + ".practice";
   if (screen.texts.find(key) == nullptr) return;
   const std::size_t done = trial.history.undo.size();
   const std::size_t step = done == 0 ? 0 : done < 4 ? 1 : 2;

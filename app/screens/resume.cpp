@@ -38,7 +38,7 @@ void draw_resume(const Screen& screen) {
     }
     y += ui.layout.size(68);
   }
-  if (pressed) memory.offered.clear();
+  if (pressed) memory.refuses_offers = true;
 }
 
 }  // namespace promenade::app

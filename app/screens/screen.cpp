@@ -1,5 +1,8 @@
 #include "app/screens/screen.h"
 
+#include <algorithm>
+#include <cassert>
+
 namespace promenade::app {
 namespace {
 
@@ -22,8 +25,9 @@ void draw_page(const Screen& screen) {
     case PageKind::questionnaire:
       return draw_questionnaire(screen);
     case PageKind::break_:
-    case PageKind::release:
       return draw_break(screen);
+    case PageKind::release:
+      return draw_release(screen);
     case PageKind::thanks:
     case PageKind::declined:
       return draw_closing(screen);
@@ -49,6 +53,7 @@ void offer_pause(const Screen& screen) {
 void draw_all(const Screen& screen) {
   if (screen.failure != nullptr) return draw_failure(screen);
   if (!screen.memory.offered.empty()) return draw_resume(screen);
+  if (open_experimenter(screen)) return draw_experimenter(screen);
   if (screen.session.paused()) return draw_pause(screen);
   draw_page(screen);
   offer_pause(screen);
@@ -69,7 +74,8 @@ void draw_marks(const Screen& screen) {
 
 bool can_pause(PageKind kind) {
   return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
-         kind == PageKind::trial || kind == PageKind::questionnaire || kind == PageKind::break_;
+         kind == PageKind::trial || kind == PageKind::questionnaire ||
+         kind == PageKind::release || kind == PageKind::break_;
 }
 
 void draw_screen(const Screen& screen) {
@@ -111,26 +117,31 @@ void draw_missing(const Screen& screen, const PageTexts& texts, bool enabled, bo
   const bool focused = screen.ui.focus.on("press", texts.target) &&
                        (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false));
   if (screen.fresh) too_early = false;
-  too_early = !enabled && (too_early || by_key || focused || ImGui::IsItemActivated());
+  screen.memory.refused = !enabled && (by_key || focused || ImGui::IsItemActivated());
+  too_early = !enabled && (too_early || screen.memory.refused);
   if (!too_early || texts.missing.empty()) return;
-  const Box box = screen.ui.layout.box(320, 640, 424, 48);
-  draw_text(screen.ui.look.fonts.bold, box, screen.ui.look.palette.text, texts.missing);
+  const bool in_column = texts.missing_at.width == 0;
+  const Box box = in_column ? screen.ui.layout.box(320, 640, 424, 48) : texts.missing_at;
+  draw_line(screen.ui.look.fonts.bold, box, screen.ui.look.palette.text, texts.missing);
 }
 
 }  // namespace
 
-float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed) {
+float draw_text_column(const Screen& screen, std::string_view title, std::string_view text) {
   const Ui& ui = screen.ui;
-  const Palette& palette = ui.look.palette;
   const Box column = ui.layout.column();
   const float heading = ui.layout.size(56);
   draw_just_ended(screen, ui.layout.box(320, 52, 640, 36));
-  draw_text(ui.look.fonts.heading, {column.x, column.y, column.width, heading}, palette.text,
-            texts.title);
+  const bool fits = text_width(ui.look.fonts.heading, title) <= column.width;
+  draw_line(fits ? ui.look.fonts.heading : ui.look.fonts.title,
+            {column.x, column.y, column.width, heading}, ui.look.palette.text, title);
   const float from = column.y + heading + ui.layout.size(16);
-  const float bottom =
-      draw_long_text(screen, {column.x, from, column.width, column.bottom() - from}, texts.text);
-  pressed = main_button(screen, texts, ui.layout.box(760, 640, 200, 48), enabled);
+  return draw_long_text(screen, {column.x, from, column.width, column.bottom() - from}, text);
+}
+
+float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed) {
+  const float bottom = draw_text_column(screen, texts.title, texts.text);
+  pressed = main_button(screen, texts, screen.ui.layout.box(760, 640, 200, 48), enabled);
   return bottom;
 }
 
@@ -167,8 +178,40 @@ const study::Task& task_of(const Screen& screen) {
   return screen.bundle.study.tasks[static_cast<std::size_t>(planned_trial(screen).task)];
 }
 
+const study::InterfaceUse& use_of(const Screen& screen) {
+  const int interface = planned_trial(screen).interface;
+  assert(interface >= 0 && "a rate task has no interface");
+  return screen.bundle.study.interfaces[static_cast<std::size_t>(interface)];
+}
+
+// With the name of the condition where two have one title, as in questionnaires.
+std::string title_of(const Screen& screen, const study::InterfaceUse& use) {
+  const std::string& title = screen.texts("interface." + use.type + ".title");
+  const std::vector<study::InterfaceUse>& all = screen.bundle.study.interfaces;
+  const auto alike = std::count_if(all.begin(), all.end(),
+                                   [&use](const auto& other) { return other.type == use.type; });
+  return alike > 1 ? title + " (" + use.name + ")" : title;
+}
+
+// The place among the trials of its kind: practice is not numbered.
+std::string number_of(const Screen& screen) {
+  if (planned_trial(screen).practice) return screen.texts("trial.practice");
+  int number = 0;
+  int count = 0;
+  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
+    if (trial.practice) continue;
+    ++count;
+    if (trial.position <= planned_trial(screen).position) ++number;
+  }
+  return screen.texts.with("trial.number",
+                           {{"number", std::to_string(number)}, {"count", std::to_string(count)}});
+}
+
 std::string ask(const Screen& screen, const std::string& prefix) {
-  if (task_of(screen).kind == study::TaskKind::match) return screen.texts(prefix + ".match");
+  const study::TaskKind kind = task_of(screen).kind;
+  if (kind == study::TaskKind::match) return screen.texts(prefix + ".match");
+  if (kind == study::TaskKind::guess) return screen.texts(prefix + ".guess");
+  if (kind == study::TaskKind::rate) return screen.texts(prefix + ".rate");
   const study::Target& target = study::target_of(screen.bundle.study, planned_trial(screen));
   return screen.texts.with(prefix + ".find",
                            {{"quality", study::text_in(target.quality, screen.language)}});

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,9 +14,18 @@
 #include "app/panel.h"
 #include "app/participant_code.h"
 #include "app/stage.h"
+#include "app/text_box.h"
 #include "study/session.h"
 
 namespace promenade::app {
+
+// The page over all others that only the experimenter opens.
+struct ExperimenterPanel {
+  bool open = false;
+  bool over_pause = false;  // the session stood already
+  Draft words;              // a note, or the reason for what is done
+  std::string said;         // key of the text that answers the last button
+};
 
 // What the screen remembers between frames, beside the session.
 struct ScreenMemory {
@@ -25,9 +35,12 @@ struct ScreenMemory {
   bool same_person = false;   // that was answered with yes
   // Sessions that were interrupted here; empty: none, or a new one is to begin.
   std::vector<study::InterruptedSession> offered;
-  std::string resume;         // uuid of the one that is to go on
+  std::string resume;           // uuid of the one that is to go on
+  bool refuses_offers = false;  // none of them is
+  bool resume_differs = false;  // one could not: another version of the program wrote it
   bool wants_start = false;   // the welcome page is left: the code is to be checked
   bool too_early = false;     // the main button was pressed while it could not be
+  bool refused = false;       // in this frame
   bool asks_to_end = false;   // the window was to be closed: the pause offers the end
   bool wants_end = false;     // and that was pressed
   bool back_again = false;    // the session goes on after an interruption
@@ -38,6 +51,11 @@ struct ScreenMemory {
   std::unique_ptr<study::InterfaceState> pictured;
   int pictured_trial = -1;
   std::vector<study::ControlInput> unheard;  // what a picture reports
+  // Of the questions on this page, by item: what is being written, and the order of a ranking
+  // so far, by names.
+  std::map<std::string, Draft> drafts;
+  std::map<std::string, std::vector<std::string>> orders;
+  ExperimenterPanel panel;
 };
 
 // A language that the study is offered in, as its own file says it.
@@ -54,15 +72,19 @@ struct Screen {
   const study::InterfaceRegistry& registry;
   const study::InterfacePanel::Content& content;
   std::string_view language;
+  std::string_view participant;  // the code; empty: not yet
   const std::vector<OfferedLanguage>& languages;
   std::int64_t now_us;  // since the session began
   bool pilot, simulated;
   bool fresh;           // the first frame of this page
+  bool chord;           // the keys of the experimenter's panel were pressed
   const char* failure;  // why the session has to stop; null: it goes on
+  const char* copy_problem;  // why there is no second copy of the database; null: none
   Stage& stage;
   const StagePlan& stage_plan;
   ScreenMemory& memory;
-  std::vector<StudyAction>& actions;          // out
+  std::vector<StudyAction>& actions;          // out: of the participant
+  std::vector<StudyAction>& orders;           // out: of the experimenter
   std::vector<study::ControlInput>& changes;  // out: what was done to the controls
 };
 
@@ -82,9 +104,13 @@ void draw_intro(const Screen& screen);
 void draw_trial(const Screen& screen);
 void draw_questionnaire(const Screen& screen);
 void draw_break(const Screen& screen);
+void draw_release(const Screen& screen);
 void draw_pause(const Screen& screen);    // over any page
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent
 void draw_failure(const Screen& screen);
+// The experimenter's panel: is it open, now that its keys may have been pressed?
+bool open_experimenter(const Screen& screen);
+void draw_experimenter(const Screen& screen);
 
 // Parts that several pages share.
 struct PageTexts {
@@ -92,7 +118,10 @@ struct PageTexts {
   std::string_view target = "continue";  // of the button
   bool by_enter = true;                  // Enter presses it while the keyboard is nowhere
   std::string_view missing = {};         // what stands beside it once it was pressed too early
+  Box missing_at = {};                   // where; empty: in the column
 };
+// The heading and the text alone.
+float draw_text_column(const Screen& screen, std::string_view title, std::string_view text);
 // A column with a heading, text and the page's main button; returns where free room
 // begins, pixels. A text that is too long scrolls. True in `pressed`: the button was.
 float draw_text_page(const Screen& screen, const PageTexts& texts, bool enabled, bool& pressed);
@@ -116,7 +145,16 @@ void draw_wall(const Screen& screen);
 // The same anywhere. `scratch`: N weights.
 void draw_examples(const Ui& ui, const Box& box, const study::InterfacePanel::Content& content,
                    SmallFigures& figures, Eigen::VectorXd& scratch);
+// The questions of a rate task in the panel, with Done below; and a picture of them.
+void draw_rate(const Screen& screen);
+void draw_rate_picture(const Screen& screen);
 const study::PlannedTrial& planned_trial(const Screen& screen);
+// Not in rate tasks.
+const study::InterfaceUse& use_of(const Screen& screen);
+// What participants call it.
+std::string title_of(const Screen& screen, const study::InterfaceUse& use);
+// "Task 3 of 20"
+std::string number_of(const Screen& screen);
 const study::Task& task_of(const Screen& screen);
 // "Find a walk that looks confident", with the prefix of the key ("trial", "intro").
 std::string ask(const Screen& screen, const std::string& prefix);

@@ -10,20 +10,6 @@
 namespace promenade::app {
 namespace {
 
-// The place among the trials of its kind: practice is not numbered.
-std::string number_of(const Screen& screen) {
-  if (planned_trial(screen).practice) return screen.texts("trial.practice");
-  int number = 0;
-  int count = 0;
-  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
-    if (trial.practice) continue;
-    ++count;
-    if (trial.position <= planned_trial(screen).position) ++number;
-  }
-  return screen.texts.with("trial.number",
-                           {{"number", std::to_string(number)}, {"count", std::to_string(count)}});
-}
-
 void draw_countdown(const Screen& screen, double left_s, double limit_s) {
   const Ui& ui = screen.ui;
   const Palette& palette = ui.look.palette;
@@ -60,9 +46,7 @@ void draw_strip(const Screen& screen, const study::TrialState& trial) {
 
 void draw_panel(const Screen& screen, const study::TrialState& trial) {
   const Box box = screen.ui.layout.panel();
-  const study::InterfaceUse& use =
-      screen.bundle.study.interfaces[static_cast<std::size_t>(planned_trial(screen).interface)];
-  const study::InterfaceType* type = screen.registry.find(use.type);
+  const study::InterfaceType* type = screen.registry.find(use_of(screen).type);
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::BeginChild("panel", {box.width, box.height}, false, ImGuiWindowFlags_NoScrollbar);
   ImGui::PushID(trial.index);
@@ -100,6 +84,7 @@ void draw_below_panel(const Screen& screen, const study::TrialState& trial) {
       (can_redo && !typing && redo_key())) {
     screen.actions.emplace_back(study::Redo{});
   }
+  if (!task_of(screen).has_done) return;
   if (button(ui, "done", ui.layout.done(), screen.texts("trial.done"), ButtonKind::filled)) {
     screen.actions.emplace_back(study::Done{});
   }
@@ -117,8 +102,12 @@ void draw_trial(const Screen& screen) {
     screen.stage.pace() = Pace{};
   }
   draw_strip(screen, *trial);
-  draw_panel(screen, *trial);
-  draw_below_panel(screen, *trial);
+  if (planned_trial(screen).interface < 0) {
+    draw_rate(screen);
+  } else {
+    draw_panel(screen, *trial);
+    draw_below_panel(screen, *trial);
+  }
   if (task_of(screen).playback) draw_transport(screen);
   if (screen.bundle.study.display.examples == study::ExamplesWall::panel) draw_wall(screen);
   draw_stage(screen);

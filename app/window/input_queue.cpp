@@ -35,6 +35,9 @@ constexpr std::array<KeyName, 20> keys = {{{GLFW_KEY_TAB, ImGuiKey_Tab},
                                            {GLFW_KEY_Y, ImGuiKey_Y},
                                            {GLFW_KEY_Z, ImGuiKey_Z}}};
 
+static_assert(experimenter_chord ==
+              std::array<int, 3>{GLFW_KEY_LEFT_CONTROL, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_E});
+
 // Either of the two keys of a kind counts.
 void set_modifiers(ImGuiIO& io, const UiEvent& event) {
   if (event.code == GLFW_KEY_LEFT_CONTROL || event.code == GLFW_KEY_RIGHT_CONTROL) {
@@ -83,6 +86,7 @@ bool InputQueue::hand_over(const UiEvent& event, ImGuiIO& io) {
     case UiEvent::Kind::key:
       set_key(io, event);
       set_modifiers(io, event);
+      chord_ = event.down && event.code == experimenter_chord.back() && io.KeyCtrl && io.KeyShift;
       return true;
     case UiEvent::Kind::character:
       io.AddInputCharacter(static_cast<unsigned int>(event.code));
@@ -98,8 +102,22 @@ bool InputQueue::hand_over(const UiEvent& event, ImGuiIO& io) {
   return false;
 }
 
+void InputQueue::forget_presses() {
+  std::erase_if(waiting_, [](const UiEvent& event) {
+    return event.kind != UiEvent::Kind::move && event.kind != UiEvent::Kind::focus;
+  });
+}
+
+std::optional<UiEvent> InputQueue::take() {
+  if (waiting_.empty()) return std::nullopt;
+  const UiEvent event = waiting_.front();
+  waiting_.pop_front();
+  return event;
+}
+
 void InputQueue::feed(ImGuiIO& io) {
   presses_.clear();
+  chord_ = false;
   bool enough = false;
   while (!waiting_.empty() && !enough) {
     const UiEvent event = waiting_.front();

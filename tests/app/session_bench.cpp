@@ -54,9 +54,10 @@ void SessionBench::walk() {
 }
 
 void SessionBench::frame() {
-  now_us_ += 16'667;
+  constexpr std::int64_t frame_us = 16'667;
+  now_us_ += frame_us;
   view_.frame(now_us_);
-  view_.shown(now_us_ + 8000, 0);
+  view_.shown({.shown_us = now_us_ + 8000, .interval_us = frame_us, .work_us = 8000});
 }
 
 bool SessionBench::play(double minutes, const std::function<bool()>& done) {
@@ -69,11 +70,13 @@ bool SessionBench::play(double minutes, const std::function<bool()>& done) {
   return false;
 }
 
-void SessionBench::click(const std::string& target) {
+void SessionBench::click(const std::string& target) { click_on("press", target); }
+
+void SessionBench::click_on(const std::string& kind, const std::string& target) {
   frame();
   frame();
-  const Widget* widget = view_.widgets().find("press", target);
-  if (widget == nullptr) throw std::logic_error("there is no button " + target);
+  const Widget* widget = view_.widgets().find(kind, target);
+  if (widget == nullptr) throw std::logic_error("there is no " + kind + " " + target);
   queue_.push({.kind = UiEvent::Kind::move,
                .x = widget->box.middle_x(),
                .y = widget->box.middle_y(),
@@ -89,6 +92,13 @@ void SessionBench::key(int glfw_key) {
   for (const bool down : {true, false}) {
     queue_.push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = down, .t_us = now_us_});
     frame();
+  }
+  frame();
+}
+
+void SessionBench::chord() {
+  for (const bool down : {true, false}) {
+    for (const int key : experimenter_chord) hold(key, down);
   }
   frame();
 }

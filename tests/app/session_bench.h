@@ -25,10 +25,13 @@ class SessionBench {
   bool play(
       double minutes, const std::function<bool()>& done = [] { return false; });
   void click(const std::string& target);  // a button, with the mouse
+  void click_on(const std::string& kind, const std::string& target);
   void key(int glfw_key);
+  void chord();  // the keys of the experimenter's panel
 
   const study::Session& session() const { return live_.session(); }
   SessionView& view() { return view_; }
+  const SessionView& view() const { return view_; }
   InputQueue& queue() { return queue_; }
   const std::filesystem::path& file() const { return file_; }
   void stop(study::Actor actor = study::Actor::participant) { view_.stop("test", now_us_, actor); }

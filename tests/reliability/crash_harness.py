@@ -9,6 +9,7 @@ program, which outlives them, knows what there was to lose. Every group of kills
 that nobody kills: then all sessions are finished, in the planned order, and the audit agrees.
 """
 import argparse
+import contextlib
 import json
 import os
 import pathlib
@@ -124,7 +125,7 @@ class Group:
         if not self.db.exists():
             return
         try:
-            with sqlite3.connect(self.db) as database:
+            with contextlib.closing(sqlite3.connect(self.db)) as database:
                 self.count_losses(database, trace, killed)
         except sqlite3.DatabaseError as error:
             print(f"{self.db}: {error}", file=sys.stderr)
@@ -161,7 +162,7 @@ class Group:
         if done.returncode != 0:
             print(done.stderr, file=sys.stderr)
             self.result["broken_files"] += 1
-        with sqlite3.connect(self.db) as database:
+        with contextlib.closing(sqlite3.connect(self.db)) as database:
             self.check_orders(database)
         self.audit()
 

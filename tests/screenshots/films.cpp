@@ -3,10 +3,13 @@
 #include <GLFW/glfw3.h>
 #include <sys/resource.h>
 
+#include <cmath>
 #include <csignal>
 #include <set>
 
 #include "app/registry.h"
+#include "study/embedded.h"
+#include "study/simulated.h"
 
 namespace promenade::app::screenshots {
 namespace {
@@ -21,6 +24,7 @@ std::string name_of(const Studio& studio, const study::StudyBundle& bundle) {
   if (page.trial < 0) return name;
   const study::PlannedTrial& planned = studio.planned();
   const study::TaskKind task = study::task_of(bundle.study, planned).kind;
+  if (planned.interface < 0) return name + "-rate";
   if (page.kind != PageKind::trial && page.kind != PageKind::instructions) {
     return name + (task == study::TaskKind::match ? "" : "-find");
   }
@@ -34,9 +38,14 @@ bool with_interface(const Studio& studio) {
   return kind == PageKind::trial || kind == PageKind::instructions;
 }
 
-void answer_all(Studio& studio) {
-  for (const study::Item& item : studio.session().questions()->items) {
-    studio.take(study::SetAnswer{item.name, 4.0});
+// As a person would, `share` of them.
+void answer(Studio& studio, double share) {
+  study::SimulatedParticipant person(studio.bundle(), interfaces(), 1);
+  const auto count = static_cast<double>(studio.session().item_order().size());
+  for (int k = 0; k < std::ceil(share * count); ++k) {
+    study::Intention next = person.next(studio.session());
+    if (!std::holds_alternative<study::SetAnswer>(next.action)) return;
+    studio.take(std::move(next.action));
   }
 }
 
@@ -49,8 +58,10 @@ void leave_page(Studio& studio) {
       if (studio.planned().practice) return studio.pass(46);
       return studio.take(study::Done{});
     case PageKind::questionnaire:
-      answer_all(studio);
+      answer(studio, 1);
       return studio.take(study::Continue{});
+    case PageKind::release:
+      return studio.take(study::Release{});
     case PageKind::break_:
       studio.pass(21);
       return studio.take(study::Continue{});
@@ -73,6 +84,10 @@ ViewOptions options_of(const Film& film, const std::string& language) {
   ViewOptions options;
   options.language = film.asks_language ? "" : language;
   options.pilot = film.pilot;
+  if (film.interrupted) {
+    options.interrupted = {{.uuid = "a", .participant = "P07", .trial = 2},
+                           {.uuid = "b", .participant = "P12", .trial = 0}};
+  }
   return options;
 }
 
@@ -148,6 +163,93 @@ void add_pages(std::vector<Film>& films) {
       "matched", {.match = "threshold = \"auto\"", .interfaces = {"labels"}}, to_matched));
 }
 
+Film of_pages(const std::string& name, std::function<void(Studio&)> play) {
+  return {.bundle = make_study_of_pages(), .name = name, .play = std::move(play)};
+}
+
+void to_instrument(Studio& studio, const std::string& name) {
+  const auto is_there = [&] {
+    const study::Instrument* asked = studio.session().questions();
+    return studio.session().page().kind == PageKind::questionnaire && asked->name == name;
+  };
+  while (!is_there()) {
+    if (studio.session().can_skip()) {
+      studio.take(study::Skip{"no picture"});
+    } else {
+      leave_page(studio);
+    }
+  }
+}
+
+void to_panel(Studio& studio) {
+  to_trial(studio);
+  studio.press_chord();
+  studio.pass(0.1);
+  for (const char letter : std::string("The fire alarm rang in the middle of this trial.")) {
+    studio.press_letter(letter);
+  }
+}
+
+// To the introduction of the trial in which the controls are others.
+void to_other_controls(Studio& studio) {
+  to_page(studio, PageKind::release);
+  while (studio.session().page().kind != PageKind::intro || studio.planned().practice ||
+         studio.planned().interface == 0) {
+    leave_page(studio);
+  }
+}
+
+void to_trial_of_guess(Studio& studio) {
+  while (studio.session().trial() == nullptr || studio.planned().interface < 0) leave_page(studio);
+  studio.play(inputs);
+}
+
+// The same code a second time.
+void to_known_code(Studio& studio) {
+  studio.occupy("P07");
+  for (const char letter : std::string("P07")) studio.press_letter(letter);
+  studio.press_key(GLFW_KEY_ENTER);
+}
+
+void to_rate(Studio& studio) {
+  to_page(studio, PageKind::trial);
+  answer(studio, 0.5);
+}
+
+void to_missing(Studio& studio) {
+  to_instrument(studio, "nasa-tlx");
+  answer(studio, 0.4);
+  studio.press_key(GLFW_KEY_ENTER);
+}
+
+void to_no_copy(Studio& studio) {
+  studio.view().tell_copy_problem("/mnt/backup/pages.db cannot be written: no space left on device");
+  to_page(studio, PageKind::thanks);
+}
+
+// Every instrument, half answered; then the pages around them.
+void add_questions(std::vector<Film>& films) {
+  for (const std::string& name : study::embedded_names("instruments")) {
+    films.push_back(of_pages("items-" + name, [name](Studio& studio) {
+      to_instrument(studio, name);
+      answer(studio, 0.5);
+    }));
+  }
+  films.push_back(of_pages("items-missing", to_missing));
+  films.push_back(of_pages("rate", to_rate));
+  films.push_back(of_pages("instructions-rate",
+                           [](Studio& studio) { to_page(studio, PageKind::instructions); }));
+  films.push_back(of_pages("guess", to_trial_of_guess));
+  films.push_back(of_pages("release", [](Studio& studio) { to_page(studio, PageKind::release); }));
+  films.push_back(of_pages("intro-controls", to_other_controls));
+  films.push_back(of_pages("experimenter", to_panel));
+  films.push_back(of_pages("thanks-no-copy", to_no_copy));
+  films.push_back(of_pages("resume", [](Studio&) {}));
+  films.back().interrupted = true;
+  films.push_back(of_pages("welcome-again", to_known_code));
+  films.back().simulated = false;
+}
+
 void add_variants(std::vector<Film>& films) {
   films.push_back(one_picture("blind", {.match = "blind = true", .interfaces = usual()}));
   films.push_back(one_picture("instructions-blind",
@@ -175,6 +277,7 @@ std::vector<Film> all_films() {
   films.push_back({.bundle = make_study({.set = "builtin:N"}), .interfaces_only = true});
   const std::vector<study::InterfaceUse> uses = films.front().bundle.study.interfaces;
   add_pages(films);
+  add_questions(films);
   add_variants(films);
   for (const study::InterfaceUse& use : uses) {
     films.push_back(one_picture("paper-" + use.name,
@@ -187,7 +290,7 @@ std::vector<Film> all_films() {
 
 void shoot_film(const Film& film, Room& room, const std::string& language, const Reel& reel) {
   if (!film.name.empty() && !reel.wants(film.name)) return;
-  Studio studio(room, film.bundle, options_of(film, language));
+  Studio studio(room, film.bundle, options_of(film, language), film.simulated);
   if (film.name.empty()) return shoot_pages(film, studio, reel);
   film.play(studio);
   reel.album.add(reel.prefix, film.name, studio.shoot());

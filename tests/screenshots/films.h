@@ -28,6 +28,8 @@ struct Film {
   std::function<void(Studio&)> play = {};
   bool pilot = false;
   bool asks_language = false;
+  bool simulated = true;         // else its code can be refused
+  bool interrupted = false;      // sessions were, and may go on
   bool interfaces_only = false;  // not the pages that are the same with any set
 
   int styles() const { return bundle.space.set.size(); }

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/registry.h"
+#include "study/embedded.h"
 
 namespace promenade::app::screenshots {
 namespace {
@@ -50,6 +51,40 @@ high = {{ en = "very much", ja = "とても大変だった" }}
 points = 7
 )toml";
 
+// Every instrument, and every task that has no picture of its own elsewhere.
+constexpr const char* pages_text = R"toml([study]
+name = "pages"
+languages = ["en", "ja"]
+order = "fixed"
+nesting = ["target", "interface", "task"]
+
+[practice]
+until = "released"
+
+[safety]
+withdrawal = "link"
+
+[[interface]]
+name = "labels"
+
+[[interface]]
+name = "weights"
+
+[[task]]
+name = "look"
+kind = "rate"
+instrument = "impression"
+reference = "normal"
+targets = [{ example = "sad" }]
+
+[[task]]
+name = "guess"
+kind = "guess"
+targets = [{ example = "proud" }, { example = "old" }]
+practice = [{ example = "happy" }]
+
+)toml";
+
 motion::MotionSet set_of(const Scene& scene, const std::string& folder) {
   motion::MotionSet set = study::load_motion_set(scene.set, folder);
   if (!scene.long_names) return set;
@@ -74,6 +109,14 @@ study::StudyBundle study_with(const Scene& scene, const motion::MotionSet& set,
 }
 
 }  // namespace
+
+study::StudyBundle make_study_of_pages() {
+  std::string text = pages_text;
+  for (const std::string& name : study::embedded_names("instruments")) {
+    text += "[[questionnaire]]\ninstrument = \"" + name + "\"\nwhen = \"end\"\n\n";
+  }
+  return study::read_study("pages.toml", text, interfaces(), study::load_motion_set);
+}
 
 bool can_have(const Scene& scene, const std::string& interface) {
   try {

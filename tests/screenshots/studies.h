@@ -21,6 +21,10 @@ struct Scene {
 // Can this interface be used with the set of the scene? If not, a line on stderr says why.
 bool can_have(const Scene& scene, const std::string& interface);
 
+// A study with a page for each instrument, tasks to rate and to guess, and practice that the
+// experimenter ends.
+study::StudyBundle make_study_of_pages();
+
 // An interface that the set cannot have is left out; a line on stderr says so.
 study::StudyBundle make_study(const Scene& scene);
 

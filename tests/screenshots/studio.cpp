@@ -17,16 +17,17 @@ std::filesystem::path fresh_file(const std::filesystem::path& folder) {
   return folder / (std::to_string(number++) + ".db");
 }
 
-study::SessionHeader header_of(const ViewOptions& options) {
+study::SessionHeader header_of(const ViewOptions& options, bool simulated) {
   study::SessionHeader header;
   header.language = options.language.empty() ? "en" : options.language;
-  header.simulated = true;  // its log waits for no disk
+  header.simulated = simulated;
   return header;
 }
 
 }  // namespace
 
-Studio::Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& options)
+Studio::Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& options,
+               bool simulated)
     : room_(room),
       bundle_(bundle),
       file_(fresh_file(room.folder)),
@@ -34,7 +35,7 @@ Studio::Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& 
       gui_(make_palette(bundle.study.display.paper_colours), shown_words(bundle)),
       live_(study::Session(bundle, interfaces(), study::make_plan(bundle.study, 0),
                            options.language.empty()),
-            store_, header_of(options), now_us_),
+            store_, header_of(options, simulated), now_us_),
       view_(
           (gui_.fit(room.window.width(), room.window.height(), bundle.study.display.scale), bundle),
           interfaces(), gui_, live_, room.queue, options) {
@@ -56,7 +57,7 @@ void Studio::frame(std::int64_t passed_us) {
   now_us_ += passed_us;
   view_.advance(now_us_);
   view_.frame(now_us_);
-  view_.shown(now_us_ + 8000, 0);
+  view_.shown({.shown_us = now_us_ + 8000});
 }
 
 void Studio::pass(double seconds) {
@@ -73,9 +74,31 @@ void Studio::press_key(int glfw_key) {
   }
 }
 
+void Studio::press_letter(char letter) {
+  room_.queue.push({.kind = UiEvent::Kind::character, .code = letter, .t_us = now_us_});
+  frame(frame_us);
+}
+
+void Studio::press_chord() {
+  for (const bool down : {true, false}) {
+    for (const int key : experimenter_chord) {
+      room_.queue.push({.kind = UiEvent::Kind::key, .code = key, .down = down, .t_us = now_us_});
+      frame(frame_us);
+    }
+  }
+}
+
 void Studio::take(StudyAction action) {
   live_.take(std::move(action), {.t_us = now_us_, .frame_us = now_us_});
   frame(frame_us);
+}
+
+void Studio::occupy(const std::string& code) {
+  study::Store other(file_, bundle_);
+  study::SessionHeader header = header_of({}, false);
+  header.participant = code;
+  other.begin_session(header, study::make_plan(bundle_.study, 1));
+  other.end_session("2020-01-01T00:00:00Z");
 }
 
 void Studio::begin_as(const std::string& code) {

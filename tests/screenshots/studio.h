@@ -23,14 +23,18 @@ struct Room {
 
 class Studio {
  public:
-  // Both outlive it. The session has no code yet.
-  Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& options);
+  // Both outlive it. The session has no code yet. The log of a simulated one waits for no disk.
+  Studio(Room& room, const study::StudyBundle& bundle, const ViewOptions& options,
+         bool simulated = true);
   ~Studio();
 
   void pass(double seconds);  // lets time pass, in frames that nobody sees
   void press_key(int glfw_key);
+  void press_letter(char letter);
+  void press_chord();  // of the experimenter's panel
   void take(StudyAction action);  // by the participant, now
   void begin_as(const std::string& code);
+  void occupy(const std::string& code);  // by an earlier session of a person
   // A few likely things with the controls of the running trial.
   void play(int inputs);
   Photograph shoot();

@@ -20,7 +20,8 @@ StudyBundle bundle_of(const std::string& targets, const std::string& file = "") 
   return read_study(
       "toy.toml", text, toy::registry(),
       [](const std::string&, const std::string&) { return toy::motion_set(); },
-      [&](const std::string& name, const std::string&) {
+      [&](const std::string& name, const std::string& folder) {
+        if (name.starts_with("builtin:")) return load_file(name, folder);
         if (file.empty()) throw InputError(name, "there is no such file");
         return file;
       });
