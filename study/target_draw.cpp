@@ -114,8 +114,8 @@ double usual_least_start(const motion::MotionSpace& space, const motion::PoseBan
                          const DrawWalk& draw, DistanceTimes times) {
   Task alone;
   alone.distance = times;
-  const double median = motion::quantile(tried(bank, draw, times), 0.5);
-  return std::min(median, automatic_threshold(space, alone) / start_margin);
+  const double far = motion::quantile(tried(bank, draw, times), 0.75);
+  return std::min(far, automatic_threshold(space, alone) / start_margin);
 }
 
 int count_far_starts(const motion::PoseBank& bank, const DrawWalk& draw, DistanceTimes times,

@@ -31,8 +31,8 @@ WalkSource make_walk_source(DrawModel model, const motion::MotionSpace& space,
                             const AdjectiveModel* adjectives);
 
 // D at the start from which a drawn target is far enough, metres, where the task says no number:
-// the automatic threshold over 0.8, but never more than what half of the walks of the source
-// reach. The automatic threshold stays what it is without them, whatever is drawn later.
+// the automatic threshold over 0.8, but never more than what a quarter of the walks of the
+// source reach. So that threshold is one number, whatever is drawn later.
 double usual_least_start(const motion::MotionSpace& space, const motion::PoseBank& bank,
                          const DrawWalk& draw, DistanceTimes times);
 

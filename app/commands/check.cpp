@@ -54,10 +54,8 @@ void warn_of_length(StudyBundle& bundle, double minutes) {
 
 Report report_study(StudyBundle& bundle) {
   Report report{report_targets(bundle), length_of(bundle)};
-  for (const TargetReport& target : report.targets) {
-    for (Problem& warning : warnings_of(bundle.file, target)) {
-      bundle.warnings.push_back(std::move(warning));
-    }
+  for (Problem& warning : warnings_of(bundle.file, report.targets)) {
+    bundle.warnings.push_back(std::move(warning));
   }
   warn_of_length(bundle, report.length.median);
   return report;

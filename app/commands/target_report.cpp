@@ -95,35 +95,84 @@ std::string shown_name(const TargetReport& report) {
   return fmt::format("{} (order {})", report.target, *report.sequence);
 }
 
+// Reports that are judged together: one fixed target, or all that one source draws.
+using Group = std::vector<const TargetReport*>;
 using Sentences = std::vector<std::string>;
 
-void warn_of_reach(const TargetReport& report, Sentences& warnings) {
-  for (const auto& [interface, reach] : report.reaches) {
-    if (reach.best < *report.threshold_m) continue;
-    warnings.push_back(fmt::format(
-        "task \"{}\": with interface \"{}\" the target \"{}\" seems out of reach: the best D found "
-        "is {:.4f} m, the threshold {:.4f} m",
-        report.task, interface, shown_name(report), reach.best, *report.threshold_m));
+std::vector<Group> grouped(const std::vector<TargetReport>& reports) {
+  std::vector<Group> groups;
+  for (const TargetReport& report : reports) {
+    const auto belongs = [&](const Group& group) {
+      const TargetReport& first = *group.front();
+      return report.sequence && first.sequence && first.task == report.task &&
+             first.practice == report.practice && first.place.line == report.place.line &&
+             first.place.column == report.place.column;
+    };
+    const auto found = std::find_if(groups.begin(), groups.end(), belongs);
+    if (found == groups.end()) {
+      groups.push_back({&report});
+    } else {
+      found->push_back(&report);
+    }
   }
+  return groups;
 }
 
-// A share of 0 stands for less than one of the settings that were tried.
-double share_of(const study::Reach& reach) {
-  return std::max(reach.share_below, 0.5 / std::max(1, reach.settings));
-}
-
-void warn_of_shares(const TargetReport& report, Sentences& warnings) {
-  if (report.reaches.size() < 2) return;
-  const auto less = [](const InterfaceReach& a, const InterfaceReach& b) {
-    return share_of(a.reach) < share_of(b.reach);
-  };
-  const auto [low, high] = std::minmax_element(report.reaches.begin(), report.reaches.end(), less);
-  if (share_of(high->reach) <= fair_ratio * share_of(low->reach)) return;
+void warn_of_reach(const Group& group, std::size_t interface, Sentences& warnings) {
+  const TargetReport& first = *group.front();
+  const auto out = std::count_if(group.begin(), group.end(), [&](const TargetReport* report) {
+    return report->reaches[interface].reach.best >= *report->threshold_m;
+  });
+  if (out == 0) return;
+  const InterfaceReach& one = first.reaches[interface];
+  if (!first.sequence) {
+    warnings.push_back(fmt::format(
+        "task \"{}\": with interface \"{}\" the target \"{}\" seems out of reach: the best D "
+        "found is {:.4f} m, the threshold {:.4f} m",
+        first.task, one.interface, first.target, one.reach.best, *first.threshold_m));
+    return;
+  }
   warnings.push_back(fmt::format(
-      "task \"{}\": by chance, target \"{}\" is met by {:.1f} % of the settings of \"{}\", but by "
+      "task \"{}\": with interface \"{}\" {} of {} walks that the first {} participants get seem "
+      "out of reach; the threshold is {:.4f} m",
+      first.task, one.interface, out, group.size(), judged_draws, *first.threshold_m));
+}
+
+// Of the settings of an interface that meet the target by chance, over a group. A share of 0
+// stands for less than one of the settings that were tried: `at_most`.
+struct Share {
+  const std::string* interface = nullptr;
+  double found = 0, at_most = 0;
+};
+
+Share share_of(const Group& group, std::size_t interface) {
+  Share share{&group.front()->reaches[interface].interface};
+  for (const TargetReport* report : group) {
+    const study::Reach& reach = report->reaches[interface].reach;
+    const double one = 0.5 / std::max(1, reach.settings);
+    share.found += reach.share_below / static_cast<double>(group.size());
+    share.at_most += std::max(reach.share_below, one) / static_cast<double>(group.size());
+  }
+  return share;
+}
+
+void warn_of_shares(const Group& group, Sentences& warnings) {
+  const TargetReport& first = *group.front();
+  if (first.reaches.size() < 2) return;
+  Share low = share_of(group, 0);
+  Share high = low;
+  for (std::size_t i = 1; i < first.reaches.size(); ++i) {
+    const Share share = share_of(group, i);
+    if (share.at_most < low.at_most) low = share;
+    if (share.found > high.found) high = share;
+  }
+  if (high.found <= fair_ratio * low.at_most) return;
+  const std::string target = first.sequence ? std::string("a walk drawn for each participant")
+                                            : "target \"" + first.target + "\"";
+  warnings.push_back(fmt::format(
+      "task \"{}\": by chance, {} is met by {:.1f} % of the settings of \"{}\", but by "
       "{:.1f} % of those of \"{}\"; the task favours one interface",
-      report.task, shown_name(report), 100 * high->reach.share_below, high->interface,
-      100 * low->reach.share_below, low->interface));
+      first.task, target, 100 * high.found, *high.interface, 100 * low.found, *low.interface));
 }
 
 }  // namespace
@@ -140,16 +189,19 @@ std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
   return reports;
 }
 
-std::vector<Problem> warnings_of(const std::string& file, const TargetReport& report) {
-  Sentences sentences;
-  if (report.threshold_m) {
-    warn_of_reach(report, sentences);
-    warn_of_shares(report, sentences);
-  }
+std::vector<Problem> warnings_of(const std::string& file,
+                                 const std::vector<TargetReport>& reports) {
   std::vector<Problem> warnings;
-  for (std::string& sentence : sentences) {
-    warnings.push_back(
-        {file, report.place.line, report.place.column, std::move(sentence), Severity::warning});
+  for (const Group& group : grouped(reports)) {
+    const TargetReport& first = *group.front();
+    if (!first.threshold_m) continue;
+    Sentences sentences;
+    for (std::size_t i = 0; i < first.reaches.size(); ++i) warn_of_reach(group, i, sentences);
+    warn_of_shares(group, sentences);
+    for (std::string& sentence : sentences) {
+      warnings.push_back(
+          {file, first.place.line, first.place.column, std::move(sentence), Severity::warning});
+    }
   }
   return warnings;
 }

@@ -31,8 +31,9 @@ struct TargetReport {
 // Throws OutsideError when it is interrupted: thousands of targets take minutes.
 std::vector<TargetReport> report_targets(const study::StudyBundle& bundle);
 
-// What is legal but unwise.
-std::vector<Problem> warnings_of(const std::string& file, const TargetReport& report);
+// What is legal but unwise. Targets that are drawn for each participant are one warning.
+std::vector<Problem> warnings_of(const std::string& file,
+                                 const std::vector<TargetReport>& reports);
 
 Json to_json(const TargetReport& report);
 std::string targets_text(const std::vector<TargetReport>& reports);

@@ -43,6 +43,14 @@ TEST(NextOrders, BalancesOrdersBeforeNumbersWithinARoundWithLists) {
   EXPECT_EQ(next_orders({{0}, {1}, {4}, {5}}, round, 2), (std::vector<int>{2, 3}));
 }
 
+// 6 is the lowest number of that order of the interfaces, but its lists were given before.
+TEST(NextOrders, FillsTheMissingListsOfAnOrder) {
+  const DesignRound round{.rows = 2, .cells = 4};
+  const std::vector<GivenOrder> given = {
+      {0, State::interrupted}, {4, State::interrupted}, {1}, {2}, {3}};
+  EXPECT_EQ(next_orders(given, round, 1), std::vector<int>{8});
+}
+
 TEST(NextOrders, HasNoOrderWhereThereIsNoDesign) {
   EXPECT_EQ(next_orders({{0}, {1, State::gone}, {3}}, {}, 3), (std::vector<int>{1, 2, 4}));
 }

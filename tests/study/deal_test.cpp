@@ -113,6 +113,14 @@ TEST(RotatedLists, MeetEveryInterfaceWithinAsManyPeopleAsThereAreLists) {
   }
 }
 
+TEST(RotatedLists, DifferAlsoWhereATaskLeavesOneInterfaceOut) {
+  Study study = dealt_study(3, 2, Order::williams);
+  study.tasks[0].interfaces = {0, 2};
+  for (int sequence = 0; sequence < 12; ++sequence) {
+    EXPECT_NE(list_of(study, 0, 0, sequence), list_of(study, 0, 2, sequence));
+  }
+}
+
 TEST(RotatedLists, AreCountedByTheBalance) {
   const Study study = dealt_study(2, 2, Order::williams);
   EXPECT_TRUE(balance_of(study, plans_of(study, 4)).even);
