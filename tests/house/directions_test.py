@@ -15,7 +15,7 @@ ROOMS = {
     "analysis": {"own": ("motion/", "study/", "analysis/"),
                  "libraries": ("Eigen/", "sqlite3.h", "fmt/", "nlohmann/", "boost/")},
     "app": {"own": ("motion/", "study/", "analysis/", "app/"),
-            "libraries": ("Eigen/", "fmt/", "nlohmann/", "CLI/", "GLFW/", "imgui",
+            "libraries": ("Eigen/", "fmt/", "nlohmann/", "CLI/", "GLFW/", "X11/", "imgui",
                           "backends/imgui_", "epoxy/")},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:<([^>]+)>|"([^"]+)")')
