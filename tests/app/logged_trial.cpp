@@ -29,8 +29,8 @@ class Person {
     while (session_.trial() == nullptr) take(study::Continue{}, 100'000);
     const std::int64_t end_us = t_us_ + static_cast<std::int64_t>(1e6 * seconds);
     while (t_us_ < end_us) {
-      take(anything(), 3'000 + static_cast<std::int64_t>(rng_.below(10'000)));
-      for (int frame = 0; frame < 20; ++frame) take(study::Tick{}, 16'667);
+      take(anything(), 1'000 * static_cast<std::int64_t>(3 + rng_.below(10)));
+      for (int frame = 0; frame < 20; ++frame) take(study::Tick{}, 17'000);
     }
     if (session_.paused()) take(study::Resume{}, 0);
     take(study::Done{}, 1234);

@@ -12,8 +12,8 @@ struct LoggedTrial {
 };
 
 // One trial of the interface with `more` in its [[task]]: about `seconds` of what people do
-// (controls, presses, undo, camera, playback, a pause), seen in 60 frames a second. The window
-// was of 1280 x 720.
+// (controls, presses, undo, camera, playback, a pause), seen in a frame every 17 ms, each at a whole
+// millisecond but for the end. The window was of 1280 x 720.
 LoggedTrial played_trial(const std::string& interface, double seconds = 6,
                          const std::string& more = "");
 
