@@ -182,12 +182,6 @@ INSTANTIATE_TEST_SUITE_P(
                "\"participant\""},
         Broken{"[{ random = 'weights', count = 2, darw = 4 }]",
                "toy.toml:13:45: error: unknown key \"darw\"; did you mean \"draw\"?"},
-        Broken{
-            "[{ random = 'adjectives', count = 2 }]",
-            "toy.toml:1:1: warning: the adjectives come from simulated raters (14 simulated "
-            "raters, seed 1)\n"
-            "toy.toml:13:23: error: nothing can be drawn from \"adjectives\": the ratings are of "
-            "other motions"},
         Broken{"[{ random = 'weights', count = 2, name = 'a/b' }]",
                "toy.toml:13:52: error: \"name\" must have up to 80 characters, none of them \"/\" "
                "or a control character, and not begin with a dot"},
@@ -201,6 +195,22 @@ INSTANTIATE_TEST_SUITE_P(
         Broken{"[{ file = 'targets.csv' }]",
                "targets.csv:1:11: error: the set has no motion "
                "\"fra\"; did you mean \"far\"?"}));
+
+TEST(RandomTargets, NeedRatingsForAdjectives) {
+  std::string text = toy::study_text();
+  const std::string old = "{ example = \"far\" }";
+  text.replace(text.find(old), old.size(), "{ random = 'adjectives', count = 2 }");
+  text.replace(text.find("seed = 7"), 8, "set = 'toy'");
+  try {
+    toy::bundle(text);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "toy.toml:13:23: error: nothing can be drawn from \"adjectives\": nobody has rated "
+        "the motions of this set");
+  }
+}
 
 TEST(TargetFiles, ThatAreNotThereAreNamedInTheStudy) {
   EXPECT_EQ(problems_of("[{ file = 'none.csv' }]"),
