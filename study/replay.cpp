@@ -35,6 +35,8 @@ Session replay(const StudyBundle& bundle, const InterfaceRegistry& registry,
     const std::vector<Record> records = session.step(input_of(step));
     if (stepped) stepped(session, records);
   }
+  // Killed before anything was stored: it has not begun.
+  if (log.steps.empty()) return session;
   // The program lived on for a while.
   Input end;
   end.t_us = log.last_us;

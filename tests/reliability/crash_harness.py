@@ -220,7 +220,8 @@ def run_groups(arguments, kind, kills, rng, total):
             failed = any(group.result[key] for key in
                          ("trials_lost", "broken_files", "wrong_orders", "audit_differences"))
             if failed and arguments.keep:
-                shutil.copytree(name, pathlib.Path(arguments.keep) / f"{kind}-{number}")
+                shutil.copytree(name, pathlib.Path(arguments.keep) / f"{kind}-{number}",
+                                ignore=shutil.ignore_patterns("trace"))
         number += 1
         print(f"{kind}: {total}", file=sys.stderr)
 

@@ -124,6 +124,22 @@ TEST_F(Resume, OfASimulatedSessionPlaysItToItsEnd) {
   EXPECT_TRUE(result.differences.empty()) << result.differences[0].what;
 }
 
+TEST_F(Resume, BeginsAsOthersDoWhereNothingWasStored) {
+  {
+    Store store(file(), bundle_);
+    toy::Player player(bundle_);
+    store.begin_session(header("S001", true), player.session.plan());
+    forget_process();
+  }
+  Store store(file(), bundle_);
+  EXPECT_EQ(resume_simulated_sessions(bundle_, toy::registry(), store, 1), 1);
+  EXPECT_EQ(count("SELECT kind = 'page' FROM event ORDER BY seq LIMIT 1"), 1);
+  Audit result;
+  Database database(file(), Database::Mode::read_only);
+  audit(bundle_, toy::registry(), read_session(database, session_uuids(database)[0]), result);
+  EXPECT_TRUE(result.differences.empty()) << result.differences[0].what;
+}
+
 TEST(GapOfASession, LeavesOutTheGapsBeforeAndIsNeverNegative) {
   LoggedSession session;
   session.started_utc = "2026-11-22T16:00:00Z";
