@@ -67,9 +67,9 @@ struct Log {
   // Without practice, what was done again later, and rate tasks, which have no interface; by
   // session and position.
   std::vector<LoggedTrial> trials;
-  std::vector<LoggedAnswer> answers;    // about these trials, touched and not declined
-  int repeated_sessions = 0;            // in more than one file, taken once
-  int not_finite = 0;                   // values that are infinite, taken for missing
+  std::vector<LoggedAnswer> answers;  // about these trials, touched and not declined
+  int repeated_sessions = 0;          // in more than one file, taken once
+  int not_finite = 0;                 // values that are infinite, taken for missing
 };
 
 // Reads databases of one study, read-only. Throws InputError, with the problems of

@@ -59,8 +59,7 @@ bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
   return !refused;
 }
 
-LiveSession::Resumed LiveSession::resume(const std::string& uuid,
-                                         const study::StudyBundle& bundle,
+LiveSession::Resumed LiveSession::resume(const std::string& uuid, const study::StudyBundle& bundle,
                                          const study::InterfaceRegistry& registry,
                                          std::int64_t now_us) {
   Resumed result = Resumed::taken;
@@ -68,8 +67,7 @@ LiveSession::Resumed LiveSession::resume(const std::string& uuid,
   return result;
 }
 
-LiveSession::Resumed LiveSession::go_on(const std::string& uuid,
-                                        const study::StudyBundle& bundle,
+LiveSession::Resumed LiveSession::go_on(const std::string& uuid, const study::StudyBundle& bundle,
                                         const study::InterfaceRegistry& registry,
                                         std::int64_t now_us) {
   try {

@@ -36,7 +36,7 @@ class LiveSession {
   // `registry` are those of this session.
   enum class Resumed { yes, taken, differs };
   Resumed resume(const std::string& uuid, const study::StudyBundle& bundle,
-              const study::InterfaceRegistry& registry, std::int64_t now_us);
+                 const study::InterfaceRegistry& registry, std::int64_t now_us);
 
   // Only on the first page. False: the code must be new but is already used, and
   // nothing is stored yet. Takes the next free order when another session took ours;

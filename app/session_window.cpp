@@ -91,10 +91,9 @@ class Player {
   }
 
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
-    const int sequence =
-        setting.sequence
-            ? *setting.sequence
-            : store.next_sequence(setting.autopilot.has_value(), setting.pilot);
+    const int sequence = setting.sequence
+                             ? *setting.sequence
+                             : store.next_sequence(setting.autopilot.has_value(), setting.pilot);
     return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
             setting.language.empty()};
   }
@@ -104,8 +103,7 @@ class Player {
     const bool simulated = setting_.autopilot.has_value();
     ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
-      const bool wanted =
-          setting_.participant.empty() || setting_.participant == one.participant;
+      const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
       if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
     }
     return options;

@@ -18,14 +18,14 @@ struct Plain {
 // Actions that have nothing but their name.
 const std::array<Plain, 12>& plain_actions() {
   static const std::array<Plain, 12> all = {{{"continue", Continue{}},
-                                            {"decline", Decline{}},
-                                            {"press", Press{}},
-                                            {"done", Done{}},
-                                            {"start_over", StartOver{}},
-                                            {"undo", Undo{}},
-                                            {"redo", Redo{}},
-                                            {"pause", Pause{}},
-                                            {"resume", Resume{}},
+                                             {"decline", Decline{}},
+                                             {"press", Press{}},
+                                             {"done", Done{}},
+                                             {"start_over", StartOver{}},
+                                             {"undo", Undo{}},
+                                             {"redo", Redo{}},
+                                             {"pause", Pause{}},
+                                             {"resume", Resume{}},
                                              {"release", Release{}},
                                              {"done_refused", Done{}},
                                              {"continue_refused", Continue{}}}};
@@ -69,8 +69,7 @@ std::optional<Action> action_of(const Event& event) {
   if (event.kind == "skip") return Skip{detail.value("reason", "")};
   if (event.kind == "repeat") return Repeat{event.target == "block", detail.value("reason", "")};
   if (event.kind == "interrupted") {
-    return Interrupted{std::llround(1e6 * event.value.value_or(0)),
-                       resume_policy_of(event.target)};
+    return Interrupted{std::llround(1e6 * event.value.value_or(0)), resume_policy_of(event.target)};
   }
   if (event.kind == "late_frame") return LateFrame{std::llround(event.value.value_or(0))};
   if (event.kind == "camera") return camera_of(detail);

@@ -193,8 +193,9 @@ class Merger {
                   "same_orders FROM "
                   "amendment JOIN study ON study.uuid = amendment.study "
                   "JOIN study AS previous ON previous.uuid = amendment.previous");
-    Statement insert(out_, "INSERT OR IGNORE INTO amendment(study, previous, reason, amended_utc, "
-                           "same_orders) VALUES (?,?,?,?,?)");
+    Statement insert(out_,
+                     "INSERT OR IGNORE INTO amendment(study, previous, reason, amended_utc, "
+                     "same_orders) VALUES (?,?,?,?,?)");
     while (row.step()) {
       insert.bind(1, study_here(row.text(0))).bind(2, study_here(row.text(1)));
       insert.bind(3, row.text(2)).bind(4, row.text(3)).bind(5, row.integer(4)).run();

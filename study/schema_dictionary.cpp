@@ -132,7 +132,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"answer", "t_us", "us", "when it was given, since the session began"},
     {"answer", "asked", "", "when: start, trial, task, block or end"},
     {"answer", "about", "",
-     "trial.uuid of the last trial of what it is about, which tells an attempt that was superseded; "
+     "trial.uuid of the last trial of what it is about, which tells an attempt that was "
+     "superseded; "
      "null: the whole session"},
     {"answer", "block", "", "the block that it is about; null: the whole session"},
     {"answer", "task", "", "the task that it is about; null: none alone"},

@@ -125,8 +125,7 @@ std::vector<Record> Session::step(const Input& input) {
 }
 
 std::string Session::Steps::json_text(const char* key, const std::string& text) {
-  return nlohmann::json{{key, text}}.dump(-1, ' ', false,
-                                          nlohmann::json::error_handler_t::replace);
+  return nlohmann::json{{key, text}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Event& Session::Steps::log(const char* kind) {

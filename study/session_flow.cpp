@@ -114,8 +114,8 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
     const auto outcome = session.outcomes_.find(i);
     if (outcome == session.outcomes_.end()) continue;
     if (outcome->second == TrialOutcome::skipped) return false;  // the experimenter's word
-    good += outcome->second == TrialOutcome::success ||
-            (free && outcome->second == TrialOutcome::done);
+    good +=
+        outcome->second == TrialOutcome::success || (free && outcome->second == TrialOutcome::done);
   }
   const bool enough = good >= std::min(rule.successes, wanted);
   const bool over = enough || ++session.practice_rounds_ >= rule.most_rounds;

@@ -16,8 +16,7 @@ std::optional<Value> unless_null(const Statement& row, int column, const Get& ge
   return row.is_null(column) ? std::nullopt : std::optional<Value>(get(row, column));
 }
 std::optional<double> real(const Statement& row, int column) {
-  return unless_null<double>(row, column,
-                             [](const Statement& r, int c) { return r.real(c); });
+  return unless_null<double>(row, column, [](const Statement& r, int c) { return r.real(c); });
 }
 
 LoggedSession header_of(Database& database, const std::string& uuid) {
@@ -57,9 +56,9 @@ TrialEnded ended_in(const Statement& row, int from) {
   ended.clicks = count(from + 7);
   ended.changes = count(from + 8);
   ended.late_frames = count(from + 9);
-  ended.process = {real(row, from + 10),  row.real(from + 11),  count(from + 12),
-                   count(from + 13),      count(from + 14),     count(from + 15),
-                   row.real(from + 16),   row.integer(from + 17), count(from + 18)};
+  ended.process = {real(row, from + 10), row.real(from + 11),    count(from + 12),
+                   count(from + 13),     count(from + 14),       count(from + 15),
+                   row.real(from + 16),  row.integer(from + 17), count(from + 18)};
   return ended;
 }
 
@@ -162,9 +161,10 @@ void read_steps(Database& database, const std::map<std::string, int>& trials,
 }
 
 void read_answers(Database& database, LoggedSession& session) {
-  Statement row(database,
-                "SELECT instrument, version, item, value, text, declined, touched, t_us FROM answer "
-                "WHERE session = ? ORDER BY rowid");
+  Statement row(
+      database,
+      "SELECT instrument, version, item, value, text, declined, touched, t_us FROM answer "
+      "WHERE session = ? ORDER BY rowid");
   row.bind(1, session.uuid);
   while (row.step()) {
     Answer answer;

@@ -154,8 +154,9 @@ void Session::Steps::show(TrialState& trial, std::int64_t t_us, Shown how) {
   const motion::DistancePoints before = trial.points;
   measure(session.bundle_->bank, task().distance, trial);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
-  trial.process.shown(trial.control_us(t_us), trial.d, motion::distance(before, trial.points).mean_m,
-                      trial.weights, session.bundle_->coverage, how == Shown::gesture);
+  trial.process.shown(trial.control_us(t_us), trial.d,
+                      motion::distance(before, trial.points).mean_m, trial.weights,
+                      session.bundle_->coverage, how == Shown::gesture);
   const bool below = below_threshold(trial);
   if (!below) {
     trial.below_since_us.reset();
@@ -270,8 +271,7 @@ void Session::Steps::act(const Control& control) {
   const bool shows = !trial.touched || changes;
   trial.touched = true;
   // A drag is one change, however many frames it took.
-  const bool gesture =
-      changes && input.actor == Actor::participant && !trial.history.counted;
+  const bool gesture = changes && input.actor == Actor::participant && !trial.history.counted;
   if (gesture) {
     trial.history.counted = true;
     ++trial.summary.changes;

@@ -210,8 +210,8 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
   const LoggedSession log = store.read_session(interrupted.uuid);
   Session session = replay(bundle, registry, log);
   store.resume_session(log, session.plan());
-  PlayedSession played(bundle, registry, session,
-                       Rng(seed, log.seed, "resumed").next(), log.last_us,
+  PlayedSession played(bundle, registry, session, Rng(seed, log.seed, "resumed").next(),
+                       log.last_us,
                        [&store](const std::vector<Record>& step) { store.write(step); });
   played.step(0, Interrupted{gap_us(log, utc_now()), bundle.study.safety.resume});
   played.play();
@@ -220,8 +220,8 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
 
 }  // namespace
 
-Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                     const Plan& plan, std::uint64_t seed) {
+Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry, const Plan& plan,
+                     std::uint64_t seed) {
   Steps steps;
   Session session(bundle, registry, plan);
   PlayedSession(bundle, registry, session, seed, 0, [&steps](std::vector<Record> step) {

@@ -110,7 +110,7 @@ struct Store::Implementation {
   FileHandle trace;
   std::vector<std::string> ended;  // trials that this step ended
   std::int64_t alive_us = 0;
-  int unchecked = 0;    // simulated sessions since the last checkpoint
+  int unchecked = 0;  // simulated sessions since the last checkpoint
 
   void say(const std::string& line) const;  // to the trace
   void begin();
@@ -407,9 +407,9 @@ void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   Statement row(own.database,
                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE uuid = ?");
   if (!row.bind(1, session.uuid).step() || row.text(0) != "running" || holds_order(row)) {
-    throw TakenError(TakenError::What::session,
-                     own.database.file() + ": the session of \"" + session.participant +
-                         "\" is not interrupted any more; start again");
+    throw TakenError(TakenError::What::session, own.database.file() + ": the session of \"" +
+                                                    session.participant +
+                                                    "\" is not interrupted any more; start again");
   }
   row.reset();
   // Somebody else may have gone on with it, and died, since it was read.
@@ -464,7 +464,8 @@ LoggedSession Store::read_session(const std::string& uuid) {
 }
 
 void Store::trace_to(const std::string& file) {
-  implementation_->trace.reset(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
+  implementation_->trace.reset(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
   if (implementation_->trace.get() < 0) throw OutsideError("cannot write the trace " + file);
 }
 

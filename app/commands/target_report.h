@@ -32,8 +32,7 @@ struct TargetReport {
 std::vector<TargetReport> report_targets(const study::StudyBundle& bundle);
 
 // What is legal but unwise. Targets that are drawn for each participant are one warning.
-std::vector<Problem> warnings_of(const std::string& file,
-                                 const std::vector<TargetReport>& reports);
+std::vector<Problem> warnings_of(const std::string& file, const std::vector<TargetReport>& reports);
 
 Json to_json(const TargetReport& report);
 std::string targets_text(const std::vector<TargetReport>& reports);

@@ -223,7 +223,8 @@ void to_missing(Studio& studio) {
 }
 
 void to_no_copy(Studio& studio) {
-  studio.view().tell_copy_problem("/mnt/backup/pages.db cannot be written: no space left on device");
+  studio.view().tell_copy_problem(
+      "/mnt/backup/pages.db cannot be written: no space left on device");
   to_page(studio, PageKind::thanks);
 }
 

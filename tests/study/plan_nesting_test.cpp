@@ -7,8 +7,7 @@
 namespace promenade::study {
 namespace {
 
-const std::string head =
-    "[study]\nname = 'plan'\nseed = 3\norder = 'fixed'\n";
+const std::string head = "[study]\nname = 'plan'\nseed = 3\norder = 'fixed'\n";
 const std::string body =
     "[[interface]]\nname = 'pick'\n[[interface]]\nname = 'mix'\n"
     "[[task]]\nname = 'copy'\nkind = 'match'\ntargets = [{example = 'far'}, {example = 'side'}]\n"
@@ -65,7 +64,8 @@ TEST(Nesting, WithTheTargetOutermostIsTheOrderOfOshita) {
 }
 
 TEST(Nesting, IsRefusedUnlessItNamesAllThree) {
-  for (const char* wrong : {"['task']", "['task', 'task', 'target']", "['task', 'goal', 'target']"}) {
+  for (const char* wrong :
+       {"['task']", "['task', 'task', 'target']", "['task', 'goal', 'target']"}) {
     EXPECT_THROW(toy::bundle(head + "nesting = " + wrong + "\n" + body), InputError) << wrong;
   }
 }

@@ -66,7 +66,8 @@ after = 'block'
 every = 2
 least_s = 3
 [safety]
-resume = ')" + resume + "'\n";
+resume = ')" +
+         resume + "'\n";
 }
 
 using Action = decltype(Input::action);
@@ -179,9 +180,8 @@ class RandomSession : public testing::TestWithParam<int> {
     database.exec("UPDATE session SET process_start = 'another boot:1'");
   }
 
-  fs::path folder_ = fs::temp_directory_path() /
-                     ("promenade_walk_" + std::to_string(::getpid()) + "_" +
-                      std::to_string(GetParam()));
+  fs::path folder_ = fs::temp_directory_path() / ("promenade_walk_" + std::to_string(::getpid()) +
+                                                  "_" + std::to_string(GetParam()));
   std::int64_t t_us_ = 0;
 };
 

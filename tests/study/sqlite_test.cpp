@@ -64,8 +64,7 @@ TEST_F(SqliteTest, SaysWhatToDoWhenTheWalCannotBeRead) {
   for (const char* end : {"", "-wal"}) fs::copy_file(file_ + end, killed + end);
   fs::create_symlink(file_ + ".nowhere", killed + "-shm");
   const std::string said = failure([&] { Database(killed, Database::Mode::read_only); });
-  EXPECT_NE(said.find("-wal, which can only be read where files may be made; copy both"),
-            said.npos)
+  EXPECT_NE(said.find("-wal, which can only be read where files may be made; copy both"), said.npos)
       << said;
   fs::remove(killed + "-shm");
   Database reader(killed, Database::Mode::read_only);

@@ -58,9 +58,9 @@ class Resume : public testing::Test {
   }
 
   StudyBundle bundle_ = toy::bundle();
-  fs::path folder_ = fs::temp_directory_path() /
-                     ("promenade_resume_" + std::to_string(::getpid()) + "_" +
-                      testing::UnitTest::GetInstance()->current_test_info()->name());
+  fs::path folder_ =
+      fs::temp_directory_path() / ("promenade_resume_" + std::to_string(::getpid()) + "_" +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(Resume, IsOfferedForWhatNoProcessRuns) {
@@ -96,8 +96,7 @@ TEST_F(Resume, GoesOnWithTheRowsOfTheFile) {
   die_in_second_trial();
   {
     Store store(file(), bundle_);
-    const LoggedSession log =
-        store.read_session(store.interrupted_sessions(false, false)[0].uuid);
+    const LoggedSession log = store.read_session(store.interrupted_sessions(false, false)[0].uuid);
     Session session = replay(bundle_, toy::registry(), log);
     store.resume_session(log, session.plan());
     Input input;

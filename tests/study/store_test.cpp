@@ -314,7 +314,8 @@ void die_after(const std::string& file, const StudyBundle& bundle, int steps) {
   for (std::int64_t t = 1; t <= steps; ++t) {
     const std::size_t before = player.records.size();
     work(player, t);
-    store.write({player.records.begin() + static_cast<std::ptrdiff_t>(before), player.records.end()});
+    store.write(
+        {player.records.begin() + static_cast<std::ptrdiff_t>(before), player.records.end()});
     if (t < steps) store.flush();
   }
   ::kill(::getpid(), SIGKILL);
