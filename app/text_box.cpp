@@ -70,38 +70,43 @@ void fill_buffer(Draft& draft, int most) {
   draft.buffer[shown.size()] = 0;
 }
 
+void write(const Ui& ui, std::string_view target, const Box& box, Draft& draft,
+           const TextBoxOptions& options) {
+  ImFont* const font = ui.look.fonts.text;
+  const bool focused = place(ui, "type", target, box);
+  const float room = box.width - 2 * inset(ui) - ImGui::GetStyle().ScrollbarSize;
+  draft.text.fit(options.several ? room : 0,
+                 [font](std::string_view text) { return text_width(font, text); });
+  if (!draft.active) fill_buffer(draft, options.most);
+  Writing writing{draft, options.most, focused && ui.focus.goes_on() && !draft.active};
+  draft.changed = false;
+  ImGui::PushFont(font);
+  ImGui::PushID(target.data(), target.data() + target.size());
+  if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
+  input(ui, box, options, writing);
+  if (ImGui::IsItemActivated() && !focused) ui.focus.take("type", target);
+  draft.active = ImGui::IsItemActive();
+  ImGui::PopID();
+  ImGui::PopFont();
+}
+
+// Where the first line is written.
+void draw_hint(const Ui& ui, const Box& box, const char* hint) {
+  const float height = std::min(box.height, ui.layout.size(40));
+  draw_line(ui.look.fonts.text, {box.x + inset(ui), box.y, box.width - 2 * inset(ui), height},
+            ui.look.palette.quiet, hint);
+}
+
 }  // namespace
 
 void text_box(const Ui& ui, std::string_view target, const Box& box, Draft& draft,
               const TextBoxOptions& options, std::int64_t now_us) {
-  ImFont* const font = ui.look.fonts.text;
   const Palette& palette = ui.look.palette;
   fill(box, palette.on_colour);
-  const bool focused = place(ui, "type", target, box);
-  if (!ui.inert) {
-    const float room = box.width - 2 * inset(ui) - ImGui::GetStyle().ScrollbarSize;
-    draft.text.fit(options.several ? room : 0,
-                   [font](std::string_view text) { return text_width(font, text); });
-    if (!draft.active) fill_buffer(draft, options.most);
-    Writing writing{draft, options.most, focused && ui.focus.goes_on() && !draft.active};
-    draft.changed = false;
-    ImGui::PushFont(font);
-    ImGui::PushID(target.data(), target.data() + target.size());
-    if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
-    input(ui, box, options, writing);
-    const bool activated = ImGui::IsItemActivated();
-    draft.active = ImGui::IsItemActive();
-    ImGui::PopID();
-    ImGui::PopFont();
-    if (activated && !focused) ui.focus.take("type", target);
-    if (draft.changed) draft.changed_us = now_us;
-  }
+  if (!ui.inert) write(ui, target, box, draft, options);
+  if (draft.changed) draft.changed_us = now_us;
   frame(box, draft.active ? palette.created : palette.quiet, ui.layout.size(1));
-  if (!draft.active && draft.text.words().empty()) {
-    const float height = std::min(box.height, ui.layout.size(40));
-    draw_line(font, {box.x + inset(ui), box.y, box.width - 2 * inset(ui), height}, palette.quiet,
-              options.hint);
-  }
+  if (!draft.active && draft.text.words().empty()) draw_hint(ui, box, options.hint);
 }
 
 }  // namespace promenade::app

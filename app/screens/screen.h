@@ -53,6 +53,7 @@ struct ScreenMemory {
   // so far, by names.
   std::map<std::string, Draft> drafts;
   std::map<std::string, std::vector<std::string>> orders;
+  std::string writes_next;  // the field that the keyboard goes to once it is there
   ExperimenterPanel panel;
 };
 

@@ -58,9 +58,9 @@ TEST(EveryKindOfTask, IsFinishedByTheAutopilotsMouse) {
           "[[task]]\nname = 'look'\nkind = 'rate'\ninstrument = 'impression'\n"
           "reference = 'normal'\ntargets = [{example = 'sad'}]\n"
           "[[task]]\nname = 'first'\nkind = 'guess'\ntargets = [{example = 'proud'}]\n"
-          "threshold = 0.05\n"
+          "threshold = 0.05\npractice = [{example = 'happy'}]\n"
           "[[task]]\nname = 'then'\nkind = 'match'\nstart = 'first'\nthreshold = 0.05\n"
-          "done = false\nlimit_s = 20\npractice = [{example = 'happy'}]\n"
+          "done = false\nlimit_s = 20\n"
           "[[task]]\nname = 'find'\nkind = 'find'\n"
           "qualities = [{name = 'proud', en = 'proud', ja = '誇らしい'}]\n");
   ASSERT_TRUE(bench.play(60));

@@ -48,7 +48,8 @@ TEST(WrittenText, KeepsTheLineEndsThatWereTyped) {
 
 TEST(WrittenText, TakesItsOwnLineEndsOutOfWhatComesBack) {
   WrittenText text = made("one two three four");
-  EXPECT_EQ(put(text, text.shown().size(), "teen"), text.shown().size());
+  const std::size_t caret = put(text, text.shown().size(), "teen");
+  EXPECT_EQ(caret, text.shown().size());
   EXPECT_EQ(text.words(), "one two three fourteen");
   EXPECT_EQ(text.shown(), "one two \nthree \nfourteen");
 }
