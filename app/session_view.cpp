@@ -102,9 +102,14 @@ Cast SessionView::cast() const {
   }
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());
+  const bool rated = task.kind == study::TaskKind::rate;
   const bool target = task.kind != study::TaskKind::find;
-  const bool created = !task.blind && task.kind != study::TaskKind::rate;
-  return {.target = target ? &average_ : nullptr, .created = created ? &average_ : nullptr};
+  const bool created = !task.blind && !rated;
+  const bool beside = rated && task.reference >= 0;  // the words speak of it
+  return {.target = target ? &average_ : nullptr,
+          .created = created ? &average_ : nullptr,
+          .reference = beside ? &bundle_.space.set.cycles[static_cast<std::size_t>(task.reference)]
+                              : nullptr};
 }
 
 const study::PlannedTrial& SessionView::planned() const {

@@ -83,7 +83,7 @@ void draw_buttons(const Screen& screen, float y, const std::string& words) {
     const std::string key = std::string("experimenter.") + one.name;
     const Box box{x, y, ui.layout.size(208), ui.layout.size(40)};
     if (button(ui, std::string("experimenter:") + one.name, box, screen.texts(key),
-                       ButtonKind::outlined, one.possible)) {
+               ButtonKind::outlined, one.possible)) {
       press(screen, one, has_words);
     }
     draw_line(ui.look.fonts.text,
@@ -107,7 +107,8 @@ void draw_experimenter(const Screen& screen) {
   if (screen.fresh) ui.focus.write_in("type", words_field);
   const float below = draw_text_column(screen, screen.texts("experimenter.title"),
                                        screen.texts("experimenter.text"));
-  draw_line(ui.look.fonts.text, {column.x, below + ui.layout.size(4), column.width, ui.layout.size(24)},
+  draw_line(ui.look.fonts.text,
+            {column.x, below + ui.layout.size(4), column.width, ui.layout.size(24)},
             ui.look.palette.quiet, place_of(screen));
   const float top = draw_words(screen, below + ui.layout.size(36));
   draw_buttons(screen, top, screen.memory.panel.words.text.words());

@@ -9,7 +9,8 @@ std::string controls_text(const Screen& screen) {
   const std::vector<study::PlannedTrial>& trials = screen.session.plan().trials;
   const bool same = trial > 0 && trials[trial - 1].interface == trials[trial].interface;
   if (same || trials[trial].interface < 0) return "";
-  return "\n\n" + screen.texts.with("intro.controls", {{"title", title_of(screen, use_of(screen))}});
+  return "\n\n" +
+         screen.texts.with("intro.controls", {{"title", title_of(screen, use_of(screen))}});
 }
 
 }  // namespace

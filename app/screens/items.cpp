@@ -31,6 +31,10 @@ Sheet sheet_of(const Screen& screen) {
 
 std::string name_of(const Screen& screen, const study::Item& item) {
   const std::string_view question = study::text_in(item.question, screen.language);
+  if (item.pair) {
+    return study::text_in(item.choices[0].text, screen.language) + " / " +
+           study::text_in(item.choices[1].text, screen.language);
+  }
   if (!question.empty()) return std::string(question);
   return study::text_in(item.low, screen.language) + " – " +
          study::text_in(item.high, screen.language);
@@ -86,11 +90,12 @@ void put_decline(Pen& pen, const study::Item& item, const study::ItemAnswer& ans
   const Box row = pen.take(pen.size(36));
   if (!pen.draws) return;
   const float width = std::round(text_width(pen.ui.look.fonts.bold, label) + pen.size(24));
-  const Box box{row.x, row.y, width, row.height};
+  // The letters stand under those of the question.
+  const float left = answer.declined ? row.x : row.x - pen.size(12);
+  const Box box{left, row.y, width, row.height};
   const std::string target = decline_target(item.name);
-  const bool pressed = answer.declined
-                           ? answer_button(pen.ui, target, box, label, true)
-                           : small_button(pen.ui, "press", target, box, label);
+  const bool pressed = answer.declined ? answer_button(pen.ui, target, box, label, true)
+                                       : small_button(pen.ui, "press", target, box, label);
   if (!pressed) return;
   pen.answer({.item = item.name, .declined = !answer.declined});
 }
@@ -144,8 +149,8 @@ void put_sheet(Pen& pen, const Sheet& sheet) {
   int open = 0;
   const study::Item* first = first_open(sheet, open);
   for (std::size_t place = 0; place < sheet.order.size(); ++place) {
-    const bool wanted = pen.draws && pen.screen.memory.refused &&
-                        first == &item_at(sheet, sheet.order[place]);
+    const bool wanted =
+        pen.draws && pen.screen.memory.refused && first == &item_at(sheet, sheet.order[place]);
     if (wanted) bring_into_sight(pen, pen.y);
     put_item(pen, sheet, place);
   }
@@ -174,8 +179,7 @@ ItemStyle tight(const Fonts& fonts) {
   return {.font = fonts.reading, .between = 16, .above = 8, .cell = 44, .row = 40};
 }
 ItemStyle compact(const Fonts& fonts) {
-  return {
-      .font = fonts.text, .between = 16, .above = 6, .cell = 36, .row = 36, .beside = true};
+  return {.font = fonts.text, .between = 16, .above = 6, .cell = 36, .row = 36, .beside = true};
 }
 
 // Closer together when there are many; what still does not fit scrolls.
@@ -193,13 +197,18 @@ Pen fitting_pen(const Screen& screen, const Ui& ui, const Sheet& sheet, const Bo
   return pen;
 }
 
+// The marks stand left of the items.
+constexpr float margin = 14;
+
 void draw_with(Pen& pen, const Sheet& sheet, const Box& box) {
   const float height = height_with(pen, sheet) + pen.size(8);
-  pen.y = begin_body(pen.screen, box, height);
+  const float left = pen.size(margin);
+  const Box body{box.x - left, box.y, box.width + left, box.height};
+  pen.y = begin_body(pen.screen, body, height);
   pen.draws = true;
   put_sheet(pen, sheet);
   pen.skip(8);
-  end_body(pen.screen, box, pen.y);
+  end_body(pen.screen, body, pen.y);
 }
 
 }  // namespace
@@ -210,8 +219,7 @@ void draw_sheet(const Screen& screen, const Sheet& sheet, const Box& box, bool n
   screen.memory.refused = false;
 }
 
-void draw_sheet_picture(const Screen& screen, const study::Instrument& instrument,
-                        const Box& box) {
+void draw_sheet_picture(const Screen& screen, const study::Instrument& instrument, const Box& box) {
   Ui ui = screen.ui;
   ui.inert = true;
   const std::vector<study::ItemAnswer> answers(instrument.items.size());

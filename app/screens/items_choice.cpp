@@ -66,15 +66,15 @@ void draw_choice(const Pen& pen, const study::Item& item, const study::ItemAnswe
   draw_label(pen, box, pen.in_language(choice.text), chosen, centred);
 }
 
-void put_row(Pen& pen, const study::Item& item, const study::ItemAnswer& answer,
-             std::size_t first, int columns, float gap) {
+void put_row(Pen& pen, const study::Item& item, const study::ItemAnswer& answer, std::size_t first,
+             int columns, float gap) {
   const auto n = static_cast<float>(columns);
   const float width = std::floor((pen.width - gap * (n - 1)) / n);
   const std::size_t end = std::min(item.choices.size(), first + static_cast<std::size_t>(columns));
   float height = pen.size(pen.style.row);
   for (std::size_t i = first; i < end; ++i) {
-    height = std::max(height, lines_height(pen, pen.in_language(item.choices[i].text), width) +
-                                  pen.size(14));
+    height = std::max(
+        height, lines_height(pen, pen.in_language(item.choices[i].text), width) + pen.size(14));
   }
   const Box row = pen.take(height);
   for (std::size_t i = first; i < end && pen.draws; ++i) {

@@ -80,8 +80,7 @@ int draw_cells(const Pen& pen, const study::Item& item, const study::ItemAnswer&
   for (int point = 0; point < points_of(item); ++point) {
     const double value = value_at(item, point);
     if (answer_button(pen.ui, answer_target(item.name, value), row.cell(point),
-                      numbers ? value_text(value) : "", point == chosen,
-                      tab < 0 || tab == point)) {
+                      numbers ? value_text(value) : "", point == chosen, tab < 0 || tab == point)) {
       const bool back = point == chosen && !item.needed;
       pen.answer(back ? study::SetAnswer{item.name} : study::SetAnswer{item.name, value});
     }
@@ -135,22 +134,25 @@ void put_long(Pen& pen, const study::Item& item, const study::ItemAnswer& answer
             Align::centre);
 }
 
-// The words at both sides, so that the cells of all items stand in columns.
+// The words at both sides, so that the cells of all items stand in columns: in the middle
+// between two opposite words, else below the beginning of the question.
 void put_beside(Pen& pen, const study::Item& item, const study::ItemAnswer& answer, float side,
                 float gap) {
   const auto count = static_cast<float>(points_of(item));
   const float width = count * (side + gap) - gap;
   const Box box = pen.take(side);
-  Row row{{std::round(box.middle_x() - 0.5f * width), box.y, width, side}, side, gap};
   if (!pen.draws) return;
+  const bool poles = has_poles(item);
+  const float space = pen.size(12);
+  const float x = poles ? box.middle_x() - 0.5f * width : box.x + pen.pole + space;
+  const Row row{{std::round(x), box.y, width, side}, side, gap};
   const Words words = words_of(pen, item);
   ImFont* const font = pen.ui.look.fonts.text;
-  const Rgb& colour = has_poles(item) ? pen.ui.look.palette.text : pen.ui.look.palette.quiet;
-  const float space = pen.size(12);
+  const Rgb& colour = poles ? pen.ui.look.palette.text : pen.ui.look.palette.quiet;
   draw_text(font, {row.box.x - space - pen.pole, box.y, pen.pole, side}, colour, words.low,
-            Align::right);
+            poles ? Align::right : Align::left);
   draw_text(font, {row.box.right() + space, box.y, pen.pole, side}, colour, words.high);
-  draw_cells(pen, item, answer, row, !has_poles(item), -1);
+  draw_cells(pen, item, answer, row, !poles, -1);
 }
 
 // As wide as the words below need, if there is room.
@@ -161,8 +163,8 @@ void put_above_words(Pen& pen, const study::Item& item, const study::ItemAnswer&
   const float wanted = words.low_width + words.high_width + pen.size(24);
   const float cells = side * static_cast<float>(count);
   const float most = (pen.width - cells) / static_cast<float>(count - 1);
-  const float gap =
-      std::clamp((wanted - cells) / static_cast<float>(count - 1), std::min(pen.size(16), most), most);
+  const float gap = std::clamp((wanted - cells) / static_cast<float>(count - 1),
+                               std::min(pen.size(16), most), most);
   const Box box = pen.take(side);
   const float width = cells + gap * static_cast<float>(count - 1);
   put_words_below(pen, words, width);

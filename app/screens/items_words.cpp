@@ -22,9 +22,7 @@ Draft& draft_of(const Screen& screen, const std::string& key, const std::string&
   return draft;
 }
 
-bool blank(const std::string& text) {
-  return text.find_first_not_of(" \n") == std::string::npos;
-}
+bool blank(const std::string& text) { return text.find_first_not_of(" \n") == std::string::npos; }
 
 void decline_clears(Draft& draft, const study::ItemAnswer& answer) {
   if (answer.declined && !draft.active && !draft.text.words().empty()) draft.text.set("");
@@ -59,9 +57,7 @@ void put_own_words(Pen& pen, const study::Item& item, const study::ItemAnswer& a
     pen.screen.memory.writes_next.clear();
   }
   text_box(pen.ui, target, box, draft,
-           {.most = item.longest,
-            .several = false,
-            .hint = pen.screen.texts("items.own").c_str()},
+           {.most = item.longest, .several = false, .hint = pen.screen.texts("items.own").c_str()},
            pen.screen.now_us);
   const std::string words = blank(draft.text.words()) ? name : draft.text.words();
   if (words != answer.text && settled(pen.screen, draft)) {
@@ -105,11 +101,11 @@ void put_number(Pen& pen, const study::Item& item, const study::ItemAnswer& answ
   const std::optional<double> value = number_in(draft.text.words(), item);
   const bool wrong = !value && !draft.text.words().empty() && !draft.active;
   const Fonts& fonts = pen.ui.look.fonts;
-  draw_text(wrong ? fonts.bold : fonts.text,
-            {box.right() + pen.size(16), row.y, row.width, row.height},
-            wrong ? pen.ui.look.palette.text : pen.ui.look.palette.quiet,
-            pen.screen.texts.with("items.range", {{"least", value_text(item.least)},
-                                                  {"most", value_text(item.most)}}));
+  draw_text(
+      wrong ? fonts.bold : fonts.text, {box.right() + pen.size(16), row.y, row.width, row.height},
+      wrong ? pen.ui.look.palette.text : pen.ui.look.palette.quiet,
+      pen.screen.texts.with("items.range",
+                            {{"least", value_text(item.least)}, {"most", value_text(item.most)}}));
   if (pen.ui.inert) return;
   if (!draft.changed && !draft.active) decline_clears(draft, answer);
   const bool told = value == answer.value || (!value && answer.declined);

@@ -7,9 +7,9 @@ namespace {
 Box inner(const Screen& screen) {
   const Box panel = screen.ui.layout.panel();
   const float inset = screen.ui.layout.size(16);
+  const float above = screen.ui.layout.size(12);
   const float bar = ImGui::GetStyle().ScrollbarSize + screen.ui.layout.size(8);
-  return {panel.x + inset, panel.y + screen.ui.layout.size(4), panel.width - inset - bar,
-          panel.height - screen.ui.layout.size(4)};
+  return {panel.x + inset, panel.y + above, panel.width - inset - bar, panel.height - above};
 }
 
 }  // namespace

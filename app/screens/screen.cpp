@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace promenade::app {
 namespace {
@@ -74,8 +75,8 @@ void draw_marks(const Screen& screen) {
 
 bool can_pause(PageKind kind) {
   return kind == PageKind::consent || kind == PageKind::instructions || kind == PageKind::intro ||
-         kind == PageKind::trial || kind == PageKind::questionnaire ||
-         kind == PageKind::release || kind == PageKind::break_;
+         kind == PageKind::trial || kind == PageKind::questionnaire || kind == PageKind::release ||
+         kind == PageKind::break_;
 }
 
 void draw_screen(const Screen& screen) {
@@ -111,6 +112,15 @@ float draw_long_text(const Screen& screen, const Box& box, std::string_view text
   return box.bottom();
 }
 
+// Or in one, which loses its middle when two are not enough.
+void draw_in_two_lines(const Screen& screen, const Box& box, std::string_view text) {
+  ImFont* const font = screen.ui.look.fonts.bold;
+  const Rgb& colour = screen.ui.look.palette.text;
+  const float height = paragraphs_height(font, box.width, text);
+  if (height > box.height) return draw_line(font, box, colour, text);
+  draw_paragraphs(font, box.x, std::round(box.middle_y() - 0.5f * height), box.width, colour, text);
+}
+
 // Whoever presses too early reads what is missing.
 void draw_missing(const Screen& screen, const PageTexts& texts, bool enabled, bool by_key) {
   bool& too_early = screen.memory.too_early;
@@ -122,7 +132,7 @@ void draw_missing(const Screen& screen, const PageTexts& texts, bool enabled, bo
   if (!too_early || texts.missing.empty()) return;
   const bool in_column = texts.missing_at.width == 0;
   const Box box = in_column ? screen.ui.layout.box(320, 640, 424, 48) : texts.missing_at;
-  draw_line(screen.ui.look.fonts.bold, box, screen.ui.look.palette.text, texts.missing);
+  draw_in_two_lines(screen, box, texts.missing);
 }
 
 }  // namespace

@@ -76,9 +76,11 @@ void tell_camera(const Screen& screen, const Orbit& orbit) {
 void draw_plate(const Screen& screen, Role role) {
   const Ui& ui = screen.ui;
   const Palette& palette = ui.look.palette;
-  const std::string& text = screen.texts(role == Role::target      ? "trial.target"
-                                         : role == Role::reference ? "trial.reference"
-                                                                   : "trial.yours");
+  const bool rated = task_of(screen).kind == study::TaskKind::rate;
+  const std::string& text =
+      screen.texts(role == Role::target      ? rated ? "trial.rated" : "trial.target"
+                   : role == Role::reference ? "trial.reference"
+                                             : "trial.yours");
   const Eigen::Vector2f at = screen.stage.plate(screen.stage_plan, role);
   const float width = std::round(text_width(ui.look.fonts.bold, text) + ui.layout.size(28));
   const Box plate{std::round(at.x() - 0.5f * width), at.y(), width, ui.layout.size(30)};

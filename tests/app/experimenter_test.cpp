@@ -59,8 +59,9 @@ TEST_F(Panel, NotesWhatIsWrittenAndGoesOnStandingStill) {
   bench_.type("fire alarm");
   bench_.click("experimenter:note");
   EXPECT_TRUE(is_open());
-  EXPECT_EQ(count(bench_, "event WHERE kind = 'note' AND actor = 'experimenter' AND "
-                          "detail LIKE '%fire alarm%'"),
+  EXPECT_EQ(count(bench_,
+                  "event WHERE kind = 'note' AND actor = 'experimenter' AND "
+                  "detail LIKE '%fire alarm%'"),
             1);
   bench_.click("experimenter:note");
   EXPECT_EQ(count(bench_, "event WHERE kind = 'note'"), 1) << "an empty note is none";

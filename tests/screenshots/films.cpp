@@ -42,6 +42,7 @@ bool with_interface(const Studio& studio) {
 void answer(Studio& studio, double share) {
   study::SimulatedParticipant person(studio.bundle(), interfaces(), 1);
   const auto count = static_cast<double>(studio.session().item_order().size());
+  person.next(studio.session());  // a first look
   for (int k = 0; k < std::ceil(share * count); ++k) {
     study::Intention next = person.next(studio.session());
     if (!std::holds_alternative<study::SetAnswer>(next.action)) return;
@@ -49,14 +50,20 @@ void answer(Studio& studio, double share) {
   }
 }
 
+// Practice runs out of time where it can, so that the next page says so.
+void leave_trial(Studio& studio) {
+  const study::Task& task = study::task_of(studio.bundle().study, studio.planned());
+  if (studio.session().questions() != nullptr) answer(studio, 1);
+  if (studio.planned().practice && task.limit_s) return studio.pass(46);
+  studio.take(study::Done{});
+}
+
 void leave_page(Studio& studio) {
   switch (studio.session().page().kind) {
     case PageKind::welcome:
       return studio.begin_as("P07");
     case PageKind::trial:
-      // Practice runs out of time, so that the next page says so.
-      if (studio.planned().practice) return studio.pass(46);
-      return studio.take(study::Done{});
+      return leave_trial(studio);
     case PageKind::questionnaire:
       answer(studio, 1);
       return studio.take(study::Continue{});
@@ -85,8 +92,8 @@ ViewOptions options_of(const Film& film, const std::string& language) {
   options.language = film.asks_language ? "" : language;
   options.pilot = film.pilot;
   if (film.interrupted) {
-    options.interrupted = {{.uuid = "a", .participant = "P07", .trial = 2},
-                           {.uuid = "b", .participant = "P12", .trial = 0}};
+    options.interrupted = {{"a", "P07", "", "", 2},
+                           {"b", "P12", "", "", 0}};
   }
   return options;
 }
@@ -207,6 +214,7 @@ void to_trial_of_guess(Studio& studio) {
 // The same code a second time.
 void to_known_code(Studio& studio) {
   studio.occupy("P07");
+  studio.pass(0.1);  // the field takes the keyboard
   for (const char letter : std::string("P07")) studio.press_letter(letter);
   studio.press_key(GLFW_KEY_ENTER);
 }

@@ -62,7 +62,7 @@ nesting = ["target", "interface", "task"]
 until = "released"
 
 [safety]
-withdrawal = "link"
+withdraw = "link"
 
 [[interface]]
 name = "labels"
