@@ -21,10 +21,11 @@ class Reader {
 
   std::vector<Target> read(std::string_view text) {
     const std::vector<CsvRow> rows = parse_csv(text);
-    if (rows.empty())
+    if (rows.empty()) {
       throw InputError(file_,
                        "is empty; a header with \"name\" and the names of "
                        "motions is wanted");
+    }
     find_columns(rows[0]);
     if (!problems_.empty()) throw InputError(problems_);
     std::vector<Target> targets;
