@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "app/trial_cast.h"
 #include "study/adjective_model.h"
@@ -217,7 +218,7 @@ void SessionView::take_actions() {
   for (study::ControlInput& change : changes_) {
     live_.take(study::Control{std::move(change)}, moment);
   }
-  if (!memory_.resume.empty()) return resume(memory_.resume, drawn_us_);
+  if (!memory_.resume.empty()) return resume(std::exchange(memory_.resume, ""), drawn_us_);
   if (memory_.refuses_offers) refuse_offers();
   if (memory_.wants_start) leave_welcome();
   if (live_.failure()) {
@@ -258,7 +259,6 @@ void SessionView::refuse_offers() {
 }
 
 void SessionView::resume(const std::string& uuid, std::int64_t now_us) {
-  memory_.resume.clear();
   const LiveSession::Resumed resumed = live_.resume(uuid, bundle_, registry_, now_us);
   memory_.resume_differs = resumed == LiveSession::Resumed::differs;
   if (resumed != LiveSession::Resumed::yes) {
