@@ -1,15 +1,15 @@
 #include "analysis/log.h"
 
-#include <sqlite3.h>
-
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 
 #include "analysis/item.h"
 #include "motion/problem.h"
+#include "study/migrate.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
+#include "study/versions.h"
 
 namespace promenade::analysis {
 namespace {
@@ -17,31 +17,21 @@ namespace {
 using study::Database;
 using study::Statement;
 
-constexpr const char* study_query =
-    "SELECT name, version, study_sha256, config_text, program_version FROM study "
-    "ORDER BY created_utc DESC, uuid LIMIT 1";
 constexpr const char* session_query =
     "SELECT session.uuid, participant.uuid, participant.code, session.outcome, "
-    "session.started_utc, session.simulated, session.pilot "
+    "session.started_utc, session.simulated, session.pilot, study.study_sha256 "
     "FROM session JOIN participant ON participant.uuid = session.participant "
+    "JOIN study ON study.uuid = session.study "
     "ORDER BY session.started_utc, participant.code, session.uuid";
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
     "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
-    "FROM trial WHERE practice = 0 ORDER BY session, position, uuid";
+    "FROM trial WHERE practice = 0 AND superseded = 0 AND interface <> '' "
+    "ORDER BY session, position, uuid";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
-
-// Databases of before there were pauses have no column of them.
-std::string trial_query_for(Database& database) {
-  constexpr std::string_view column = "coalesce(paused_us, 0)";
-  std::string query = trial_query;
-  Statement known(database, "SELECT 1 FROM pragma_table_info('trial') WHERE name = 'paused_us'");
-  if (!known.step()) query.replace(query.find(column), column.size(), "0");
-  return query;
-}
 
 // SQLite stores infinities; they are counted in `dropped` and taken for missing.
 std::optional<double> real(const Statement& row, int column, int& dropped) {
@@ -50,23 +40,6 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   if (std::isfinite(value)) return value;
   ++dropped;
   return std::nullopt;
-}
-
-Database open(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
-  if (std::filesystem::is_directory(file, error)) {
-    throw InputError(file, "is a folder; name the .db file of a study");
-  }
-  Database database(file, Database::Mode::read_only);
-  study::check_database(database);
-  Statement check(database, "PRAGMA quick_check(1)");
-  if (!check.step() || check.text(0) != "ok") throw InputError(file, study::damaged_database);
-  for (const char* table : {"session", "trial", "answer"}) {
-    Statement lost(database, std::string("PRAGMA foreign_key_check(") + table + ")");
-    if (lost.step()) throw InputError(file, study::damaged_database);
-  }
-  return database;
 }
 
 LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
@@ -95,32 +68,65 @@ LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
 class Reader {
  public:
   void read(const std::string& file) {
-    Database database = open(file);
-    log_.files.push_back({file, "", 0, 0, 0});
+    Database database = open_database(file);
+    read(database);
+  }
+
+  void read(Database& database) {
+    log_.files.push_back({database.file(), "", 0, 0, 0});
     read_study(database);
     read_sessions(database);
     read_trials(database);
     read_answers(database);
   }
 
-  Log take() { return std::move(log_); }
+  Log take() {
+    count_versions();
+    return std::move(log_);
+  }
 
  private:
   int file_index() const { return size_of(log_.files) - 1; }
 
   void read_study(Database& database) {
-    Statement row(database, study_query);
-    if (!row.step()) throw InputError(database.file(), "holds no study");
-    log_.files.back().program_version = row.text(4);
+    const std::vector<study::StudyVersion> versions = study::study_versions(database);
+    if (versions.empty()) throw InputError(database.file(), "holds no study");
+    const study::StudyVersion& newest = versions.back();
+    log_.files.back().program_version = newest.program_version;
     if (file_index() == 0) {
-      log_.study = row.text(0);
-      log_.version = row.text(1);
-      log_.sha256 = row.text(2);
-      log_.config_text = row.text(3);
-    } else if (row.text(2) != log_.sha256) {
-      throw InputError(database.file(), "holds another study than " + log_.files[0].file +
-                                            "; report them one by one");
+      log_.study = newest.name;
+      log_.version = newest.version;
+      log_.sha256 = newest.sha256;
+      log_.config_text = newest.config_text;
+    } else if (newest.sha256 != log_.sha256) {
+      throw InputError(database.file(), "holds another study, or another version of it, than " +
+                                            log_.files[0].file + "; report them one by one");
     }
+    for (const study::StudyVersion& one : versions) add_version(one);
+  }
+
+  // The newest one is the same in all files and stays the last.
+  void add_version(const study::StudyVersion& one) {
+    const int known = version_of(one.sha256);
+    if (known < size_of(log_.versions)) {
+      // A station that began with this version does not know why it came.
+      LoggedVersion& version = item(log_.versions, known);
+      if (version.amended_utc.empty()) {
+        version.reason = one.reason;
+        version.amended_utc = one.amended_utc;
+      }
+      return;
+    }
+    const bool first_file = file_index() == 0;
+    log_.versions.insert(log_.versions.end() - (first_file ? 0 : 1),
+                         {one.version, one.sha256, one.reason, one.amended_utc});
+  }
+
+  int version_of(const std::string& sha256) const {
+    const auto found =
+        std::find_if(log_.versions.begin(), log_.versions.end(),
+                     [&sha256](const LoggedVersion& one) { return one.sha256 == sha256; });
+    return static_cast<int>(found - log_.versions.begin());
   }
 
   void read_sessions(Database& database) {
@@ -130,14 +136,18 @@ class Reader {
         ++log_.repeated_sessions;
         continue;
       }
+      const int version = version_of(row.text(7));
+      if (version == size_of(log_.versions)) {
+        throw InputError(database.file(), study::damaged_database);
+      }
       log_.sessions.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
-                               row.integer(5) != 0, row.integer(6) != 0, file_index()});
+                               row.integer(5) != 0, row.integer(6) != 0, file_index(), version});
       ++log_.files.back().sessions;
     }
   }
 
   void read_trials(Database& database) {
-    Statement row(database, trial_query_for(database));
+    Statement row(database, trial_query);
     while (row.step()) {
       const int session = session_of_.at(row.text(0));
       if (item(log_.sessions, session).file != file_index()) continue;
@@ -160,6 +170,17 @@ class Reader {
     }
   }
 
+  void count_versions() {
+    for (const LoggedSession& session : log_.sessions) {
+      LoggedVersion& version = item(log_.versions, session.version);
+      ++version.sessions;
+      version.finished += session.outcome == "finished" ? 1 : 0;
+    }
+    for (const LoggedTrial& trial : log_.trials) {
+      ++item(log_.versions, item(log_.sessions, trial.session).version).trials;
+    }
+  }
+
   int file_of_trial(int trial) const {
     const int session = item(log_.trials, trial).session;
     return item(log_.sessions, session).file;
@@ -170,13 +191,26 @@ class Reader {
   std::map<std::string, int> trial_of_;
 };
 
-// What SQLite says of a file whose content is wrong, not of a disk that fails.
-bool is_about_content(const study::DatabaseError& error) {
-  const int code = error.code() & 0xff;
-  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR;
+}  // namespace
+
+Database open_database(const std::string& file) {
+  Database database = study::open_log(file);
+  if (study::is_damaged(database, {"session", "trial", "answer"})) {
+    throw InputError(file, study::damaged_database);
+  }
+  return database;
 }
 
-}  // namespace
+void refuse_content(const std::string& file, const study::DatabaseError& error) {
+  if (error.about_content()) throw InputError(file, study::damaged_database);
+  throw error;
+}
+
+Log read_log(Database& database) {
+  Reader reader;
+  reader.read(database);
+  return reader.take();
+}
 
 Log read_log(const std::vector<std::string>& files) {
   Reader reader;
@@ -187,7 +221,7 @@ Log read_log(const std::vector<std::string>& files) {
     } catch (const InputError& error) {
       problems.insert(problems.end(), error.problems().begin(), error.problems().end());
     } catch (const study::DatabaseError& error) {
-      if (!is_about_content(error)) throw;
+      if (!error.about_content()) throw;
       problems.push_back({file, 0, 0, study::damaged_database, Severity::error});
     }
   }
@@ -196,7 +230,7 @@ Log read_log(const std::vector<std::string>& files) {
 }
 
 std::vector<std::string> log_queries() {
-  return {study_query, session_query, trial_query, answer_query};
+  return {study::study_versions_query, session_query, trial_query, answer_query};
 }
 
 }  // namespace promenade::analysis

@@ -7,6 +7,11 @@
 #include <string>
 #include <vector>
 
+namespace promenade::study {
+class Database;
+class DatabaseError;
+}  // namespace promenade::study
+
 namespace promenade::analysis {
 
 struct LoggedSession {
@@ -17,7 +22,8 @@ struct LoggedSession {
   std::string started_utc;
   bool simulated = false;
   bool pilot = false;
-  int file = 0;  // index into Log::files
+  int file = 0;     // index into Log::files
+  int version = 0;  // index into Log::versions
 };
 
 struct LoggedTrial {
@@ -46,21 +52,41 @@ struct LoggedFile {
   int sessions = 0, trials = 0, answers = 0;  // rows taken from it
 };
 
+// Of the study: what it was at first, and each amendment.
+struct LoggedVersion {
+  std::string version, sha256;
+  std::string reason, amended_utc;             // empty: the first
+  int sessions = 0, finished = 0, trials = 0;  // rows taken, simulated ones and pilots included
+};
+
 struct Log {
   std::string study, version, sha256, config_text;
+  std::vector<LoggedVersion> versions;  // the newest last: that is what stands above
   std::vector<LoggedFile> files;
   std::vector<LoggedSession> sessions;  // by file and start
-  std::vector<LoggedTrial> trials;      // without practice; by session and position
-  std::vector<LoggedAnswer> answers;    // about these trials, touched and not declined
-  int repeated_sessions = 0;            // in more than one file, taken once
-  int not_finite = 0;                   // values that are infinite, taken for missing
+  // Without practice, what was done again later, and rate tasks, which have no interface; by
+  // session and position.
+  std::vector<LoggedTrial> trials;
+  std::vector<LoggedAnswer> answers;  // about these trials, touched and not declined
+  int repeated_sessions = 0;          // in more than one file, taken once
+  int not_finite = 0;                 // values that are infinite, taken for missing
 };
 
 // Reads databases of one study, read-only. Throws InputError, with the problems of
 // all files at once, when one is missing, no database of Promenade, from a newer
 // version, damaged (also where a row refers to one that is gone), or of another study
-// than the first.
+// than the first; the newest version decides.
 Log read_log(const std::vector<std::string>& files);
+
+// The same of one that is open.
+Log read_log(study::Database& database);
+
+// Opens a database of Promenade, read-only, whose rows are whole. Throws InputError as above,
+// and DatabaseError, of which `refuse_content` knows more.
+study::Database open_database(const std::string& file);
+
+// A failure that is about the content of the file, not about the disk, becomes InputError.
+[[noreturn]] void refuse_content(const std::string& file, const study::DatabaseError& error);
 
 // The queries behind it, for people who want to repeat them.
 std::vector<std::string> log_queries();

@@ -44,6 +44,21 @@ HtmlTable file_table(const Log& log) {
   return table;
 }
 
+HtmlTable version_table(const Log& log) {
+  HtmlTable table;
+  table.caption =
+      "Versions of the study, the rows taken of each, and why it was changed. All rows read are "
+      "counted here, also those of pilots, simulated participants and people left out.";
+  table.columns = {"version", "since", "reason", "sessions", "finished", "trials without practice"};
+  for (const LoggedVersion& one : log.versions) {
+    const bool first = one.amended_utc.empty();
+    table.rows.push_back({one.version, first ? "the beginning" : one.amended_utc,
+                          first ? "" : one.reason, std::to_string(one.sessions),
+                          std::to_string(one.finished), std::to_string(one.trials)});
+  }
+  return table;
+}
+
 HtmlTable fact_table(const Results& results) {
   const SelectionOptions& options = results.options;
   HtmlTable table;
@@ -87,6 +102,16 @@ Html text_table(const HtmlTable& table) {
   return element("div", {{"class", "wide text"}}, render(table));
 }
 
+// Nothing where the study never changed.
+Html amendments(const Log& log) {
+  if (log.versions.size() < 2) return {};
+  return element("p", fmt::format("The study was changed {} while it ran. What is said above is "
+                                  "over all versions together: judge by the reasons below whether "
+                                  "they may be, and leave people out with --exclude if not.",
+                                  count_of(size_of(log.versions) - 1, "time", "times"))) +
+         text_table(version_table(log));
+}
+
 }  // namespace
 
 Html method_section(const Results& results) {
@@ -106,7 +131,7 @@ Html method_section(const Results& results) {
 
 Html provenance_section(const Results& results) {
   Html html = element("h2", "Provenance") + text_table(fact_table(results)) +
-              text_table(file_table(results.log));
+              amendments(results.log) + text_table(file_table(results.log));
   if (!results.selection.exclusions.empty()) {
     html += text_table(exclusion_table(results.selection));
   }

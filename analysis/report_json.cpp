@@ -83,6 +83,20 @@ Json files_json(const Log& log) {
   return files;
 }
 
+Json versions_json(const Log& log) {
+  Json versions = Json::array();
+  for (const LoggedVersion& one : log.versions) {
+    versions.push_back({{"version", one.version},
+                        {"sha256", one.sha256},
+                        {"reason", one.reason.empty() ? Json() : Json(one.reason)},
+                        {"amended_utc", one.amended_utc.empty() ? Json() : Json(one.amended_utc)},
+                        {"sessions", one.sessions},
+                        {"finished", one.finished},
+                        {"trials", one.trials}});
+  }
+  return versions;
+}
+
 Json participants_json(const Selection& selection) {
   Json counts = {{"began", selection.people.size()}};
   for (const Disposition disposition :
@@ -131,6 +145,7 @@ std::string report_json(const Results& results) {
                 {{"name", results.log.study},
                  {"version", results.log.version},
                  {"sha256", results.log.sha256}}},
+               {"versions", versions_json(results.log)},
                {"databases", files_json(results.log)},
                {"includes_simulated", results.selection.any_simulated()},
                {"includes_pilot", results.selection.any_pilot()},

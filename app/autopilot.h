@@ -61,8 +61,8 @@ class Autopilot {
   bool code_typed_ = false;
   std::int64_t now_us_ = 0;
   Stage stage_ = Stage::thinking;
-  std::int64_t due_us_ = 0;  // when the stage may end
-  Errands errands_;  // the first is under way
+  std::int64_t due_us_ = 0;            // when the stage may end
+  Errands errands_;                    // the first is under way
   const study::Page* page_ = nullptr;  // where the errand was thought of
   Point at_{640, 360}, from_, to_;
   std::int64_t left_us_ = 0, arrives_us_ = 0;

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/motion_set.h"
-#include "study/texts.h"
+#include "study/study.h"
 
 namespace promenade::app {
 
@@ -15,8 +14,10 @@ struct Captions {
   std::vector<int> by_name;        // the cycles in the order of their names
 };
 
-// Throws InputError for a language that the program does not speak.
-Captions captions_in(const std::string& language, const motion::MotionSet& set);
+Captions captions_of(study::Texts texts, const motion::MotionSet& set);
+// Of a study, in the texts that were frozen with it. Throws InputError for a language that
+// neither it nor the program speaks.
+Captions captions_in(const std::string& language, const study::StudyBundle& bundle);
 
 // All of it: what the fonts must be able to write.
 std::vector<std::string> words_of(const Captions& captions);

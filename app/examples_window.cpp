@@ -12,7 +12,7 @@ ExamplesWindow::ExamplesWindow(const study::StudyBundle& bundle, const WindowOpt
       mannequin_(make_mannequin(bundle.space.set)),
       figures_(bundle.bank, mannequin_),
       language_(bundle.study.languages.front()),
-      captions_(captions_in(language_, bundle.space.set)),
+      captions_(captions_in(language_, bundle)),
       content_{bundle.space, captions_, &figures_} {}
 
 ExamplesWindow::~ExamplesWindow() {
@@ -23,7 +23,7 @@ ExamplesWindow::~ExamplesWindow() {
 void ExamplesWindow::speak(const std::string& language) {
   if (language == language_) return;
   language_ = language;
-  captions_ = captions_in(language, bundle_.space.set);
+  captions_ = captions_in(language, bundle_);
 }
 
 void ExamplesWindow::draw_names() {

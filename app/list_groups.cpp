@@ -5,6 +5,8 @@
 #include <map>
 #include <set>
 
+#include "study/utf8.h"
+
 namespace promenade::app {
 namespace {
 
@@ -34,23 +36,6 @@ const std::string& style_of(const motion::Cycle& cycle) {
 
 char lower(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-// Of the first character, and how many bytes it has; 0 for what is no UTF-8.
-struct Character {
-  unsigned int code = 0;
-  std::size_t bytes = 1;
-};
-
-Character first_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
-  };
-  const unsigned int lead = byte(0);
-  if (lead < 0x80) return {lead, 1};
-  if (lead < 0xE0) return {(lead & 0x1FU) << 6U | (byte(1) & 0x3FU), 2};
-  if (lead >= 0xF0) return {0, 4};
-  return {(lead & 0x0FU) << 12U | (byte(1) & 0x3FU) << 6U | (byte(2) & 0x3FU), 3};
 }
 
 }  // namespace
@@ -100,7 +85,7 @@ std::string_view after_heading(std::string_view name, std::size_t heading) {
 
 std::string_view letter_of(std::string_view name) {
   constexpr std::string_view capitals = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  const Character first = first_character(name);
+  const study::Character first = study::first_character(name);
   const char letter = name.empty() ? '\0' : lower(name.front());
   if (letter >= 'a' && letter <= 'z') {
     return capitals.substr(static_cast<std::size_t>(letter - 'a'), 1);

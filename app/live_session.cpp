@@ -1,6 +1,7 @@
 #include "app/live_session.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "study/identity.h"
 #include "study/replay.h"
@@ -30,7 +31,7 @@ void LiveSession::guard(const Work& work) {
 bool LiveSession::begin() {
   while (true) {
     try {
-      store_.begin_session(header_, session_.plan());
+      store_.begin_session(header_, session_.plan(), waiting_);
       return true;
     } catch (const study::TakenError& error) {
       if (error.taken() == study::TakenError::What::code) {
@@ -52,25 +53,31 @@ bool LiveSession::record_as(const std::string& participant, bool must_be_new) {
   guard([&] {
     refused = !begin();
     if (refused) return;
-    recorded_ = unwritten_ = true;
-    write(waiting_);
+    recorded_ = true;
   });
   if (!refused) waiting_.clear();
   return !refused;
 }
 
-bool LiveSession::resume(const std::string& uuid, const study::StudyBundle& bundle,
-                         const study::InterfaceRegistry& registry, std::int64_t now_us) {
-  bool taken = false;
-  guard([&] {
+LiveSession::Resumed LiveSession::resume(const std::string& uuid, const study::StudyBundle& bundle,
+                                         const study::InterfaceRegistry& registry,
+                                         std::int64_t now_us) {
+  Resumed result = Resumed::taken;
+  guard([&] { result = go_on(uuid, bundle, registry, now_us); });
+  return result;
+}
+
+LiveSession::Resumed LiveSession::go_on(const std::string& uuid, const study::StudyBundle& bundle,
+                                        const study::InterfaceRegistry& registry,
+                                        std::int64_t now_us) {
+  try {
     const study::LoggedSession log = store_.read_session(uuid);
+    // Another version of the program may understand the events in another way.
+    study::Audit audit;
+    study::audit(bundle, registry, log, audit);
+    if (!audit.differences.empty()) return Resumed::differs;
     study::Session session = study::replay(bundle, registry, log);
-    try {
-      store_.resume_session(log, session.plan());
-    } catch (const study::TakenError&) {
-      taken = true;
-      return;
-    }
+    store_.resume_session(log, session.plan());
     session_ = std::move(session);
     header_.participant = log.participant;
     header_.language = log.language;
@@ -81,8 +88,12 @@ bool LiveSession::resume(const std::string& uuid, const study::StudyBundle& bund
     const std::int64_t gap_us = study::gap_us(log, study::utc_now());
     take(study::Interrupted{gap_us, bundle.study.safety.resume}, {.t_us = now_us},
          study::Actor::system);
-  });
-  return !taken;
+    return Resumed::yes;
+  } catch (const study::TakenError&) {
+    return Resumed::taken;
+  } catch (const InputError&) {
+    return Resumed::differs;
+  }
 }
 
 void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {
@@ -106,11 +117,37 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
 
 void LiveSession::write(const std::vector<Record>& records) {
   unwritten_ = unwritten_ || !records.empty();
+  for (const Record& record : records) hand_over_frames(record);
   store_.write(records);
   if (session_.ended() && !records.empty()) store_.end_session(study::utc_now());
 }
 
+void LiveSession::count(const ShownFrame& frame) {
+  study::FrameHistogram& frames = session_.trial() != nullptr ? trial_frames_ : other_frames_;
+  if (frame.interval_us > 0) frames.interval.add(frame.interval_us);
+  frames.work.add(frame.work_us);
+}
+
+// Before the record, so that they share its durable commit.
+void LiveSession::hand_over_frames(const Record& record) {
+  if (const auto* ended = std::get_if<study::TrialEnded>(&record)) {
+    const study::FrameHistogram frames = std::exchange(trial_frames_, {});
+    if (keep_frames_) keep_frames_(ended->trial, frames);
+  } else if (std::holds_alternative<study::SessionEnded>(record)) {
+    const study::FrameHistogram frames = std::exchange(other_frames_, {});
+    if (keep_frames_) keep_frames_(-1, frames);
+  }
+}
+
+void LiveSession::save() {
+  unwritten_ = false;
+  guard([&] { store_.flush(); });
+}
+
 void LiveSession::flush(std::int64_t now_us) {
+  if (recorded_ && !session_.ended()) {
+    guard([&] { unwritten_ = store_.alive(last_us_) || unwritten_; });
+  }
   if (!unwritten_ || now_us - flushed_us_ < 15'000) return;
   flushed_us_ = now_us;
   unwritten_ = false;

@@ -2,9 +2,12 @@
 // began. Every input goes through take().
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
+#include "app/window/shown_frame.h"
+#include "study/frame_histogram.h"
 #include "study/session.h"
 #include "study/store.h"
 
@@ -28,10 +31,12 @@ class LiveSession {
               std::int64_t began_us);
 
   // Goes on with a session that was interrupted, by the policy of its study; before anything
-  // of this one is recorded. False: another process does so already. `bundle` and `registry`
-  // are those of this session.
-  bool resume(const std::string& uuid, const study::StudyBundle& bundle,
-              const study::InterfaceRegistry& registry, std::int64_t now_us);
+  // of this one is recorded. Not where another process does so already, or where the log does
+  // not lead to what is stored: another version of the program wrote it. `bundle` and
+  // `registry` are those of this session.
+  enum class Resumed { yes, taken, differs };
+  Resumed resume(const std::string& uuid, const study::StudyBundle& bundle,
+                 const study::InterfaceRegistry& registry, std::int64_t now_us);
 
   // Only on the first page. False: the code must be new but is already used, and
   // nothing is stored yet. Takes the next free order when another session took ours;
@@ -48,6 +53,16 @@ class LiveSession {
   // Time passed, with nothing done.
   void tick(std::int64_t t_us) { take(study::Tick{}, {.t_us = t_us}, study::Actor::system); }
 
+  // A frame was shown: it counts for the trial that runs, or for the pages outside trials.
+  void count(const ShownFrame& frame);
+  // Takes the frames of each trial (its place in the plan) right before its end is stored,
+  // and at the end of the session those of all other pages (-1). What it throws is treated
+  // as what the store throws.
+  using FrameKeeper = std::function<void(int trial, const study::FrameHistogram& frames)>;
+  void keep_frames(FrameKeeper keeper) { keep_frames_ = std::move(keeper); }
+
+  // Brings all that is new in the log to the disk, now.
+  void save();
   // Brings what is new in the log to the disk, at most every 15 ms: called in every
   // frame, it leaves nothing out for longer than 50 ms.
   void flush(std::int64_t now_us);
@@ -60,6 +75,9 @@ class LiveSession {
  private:
   void write(const std::vector<study::Record>& records);
   bool begin();  // false: the code is used
+  Resumed go_on(const std::string& uuid, const study::StudyBundle& bundle,
+                const study::InterfaceRegistry& registry, std::int64_t now_us);
+  void hand_over_frames(const study::Record& record);
   template <typename Work>
   void guard(const Work& work);
 
@@ -74,6 +92,8 @@ class LiveSession {
   bool unwritten_ = false;              // something waits for the next flush
   std::vector<study::Record> waiting_;  // from before record_as()
   std::optional<std::string> failure_;
+  FrameKeeper keep_frames_;
+  study::FrameHistogram trial_frames_, other_frames_;  // so far
 };
 
 }  // namespace promenade::app

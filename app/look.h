@@ -35,7 +35,7 @@ struct Palette {
   Rgb known = rgb(0xE6ECF5);  // the region that the examples cover
   std::array<Rgb, 3> clusters = {rgb(0xC9A66B), rgb(0x7FA38A), rgb(0xA98BB5)};  // of the examples
   Rgb pilot = rgb(0xE07B1A);
-  Rgb alarm = rgb(0xB3261E);  // something is lost unless somebody acts
+  Rgb alarm = rgb(0xB3261E);      // something is lost unless somebody acts
   Rgb on_colour = rgb(0xFFFFFF);  // text on `created`
 };
 

@@ -21,14 +21,21 @@ int run(int argc, char** argv) {
   namespace app = promenade::app;
   app::add_check_command(program);
   app::add_plan_command(program);
+  app::add_roster_command(program);
   app::add_run_command(program);
   app::add_simulate_command(program);
+  app::add_pack_command(program);
+  app::add_amend_command(program);
   app::add_replay_command(program);
   app::add_report_command(program);
+  app::add_export_command(program);
   app::add_stats_command(program);
+  app::add_withdraw_command(program);
+  app::add_merge_command(program);
   app::add_set_command(program);
   app::add_motion_command(program);
   app::add_model_command(program);
+  app::add_doctor_command(program);
   app::add_missing_commands(program);
   try {
     program.parse(argc, argv);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "app/trial_cast.h"
 #include "study/adjective_model.h"
 
 namespace promenade::app {
@@ -12,10 +13,10 @@ using study::PageKind;
 
 constexpr const char* closed_by_hand = "window closed";
 
-std::vector<OfferedLanguage> offered(const study::Study& study) {
+std::vector<OfferedLanguage> offered(const study::StudyBundle& bundle) {
   std::vector<OfferedLanguage> languages;
-  for (const std::string& code : study.languages) {
-    const study::Texts texts = study::load_texts(code);
+  for (const std::string& code : bundle.study.languages) {
+    const study::Texts texts = study::texts_of(bundle, code);
     languages.push_back({code, texts("language"), texts("welcome.language")});
   }
   return languages;
@@ -46,7 +47,7 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   }
   const study::Study& study = bundle.study;
   for (const std::string& language : study.languages) {
-    for (std::string& word : words_of(captions_in(language, bundle.space.set))) {
+    for (std::string& word : words_of(captions_in(language, bundle))) {
       words.push_back(std::move(word));
     }
   }
@@ -70,8 +71,8 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       queue_(queue),
       options_(options),
       language_(options.language.empty() ? bundle.study.languages.front() : options.language),
-      captions_(captions_in(language_, bundle.space.set)),
-      languages_(offered(bundle.study)),
+      captions_(captions_in(language_, bundle)),
+      languages_(offered(bundle)),
       stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
       content_{bundle.space, captions_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
@@ -82,7 +83,7 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
 
 void SessionView::speak(const std::string& language) {
   language_ = language;
-  captions_ = captions_in(language, bundle_.space.set);
+  captions_ = captions_in(language, bundle_);
 }
 
 bool SessionView::covered() const {
@@ -97,17 +98,7 @@ bool SessionView::has_panel() const {
 Cast SessionView::cast() const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
-    const study::Task& task = task_of(bundle_.study, planned());
-    const auto& cycles = bundle_.space.set.cycles;
-    // What is rated is shown as a target is.
-    const bool rated = task.kind == study::TaskKind::rate;
-    return {.target = rated           ? &trial->cycle
-                      : trial->target ? &*trial->target
-                                      : nullptr,
-            .created = rated ? nullptr : &trial->cycle,
-            .reference =
-                task.reference < 0 ? nullptr : &cycles[static_cast<std::size_t>(task.reference)],
-            .blind = task.blind};
+    return trial_cast(bundle_, session, trial->cycle);
   }
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());
@@ -226,7 +217,8 @@ void SessionView::take_actions() {
   for (study::ControlInput& change : changes_) {
     live_.take(study::Control{std::move(change)}, moment);
   }
-  if (!memory_.resume.empty()) return resume(memory_.resume, moment.t_us);
+  if (!memory_.resume.empty()) return resume(memory_.resume, drawn_us_);
+  if (memory_.refuses_offers) refuse_offers();
   if (memory_.wants_start) leave_welcome();
   if (live_.failure()) {
     closed_ = closed_ || !actions_.empty();
@@ -245,7 +237,10 @@ void SessionView::leave_welcome() {
   memory_.wants_start = false;
   const std::string code = memory_.code.data();
   for (const study::InterruptedSession& one : options_.interrupted) {
-    if (one.participant == code) return resume(one.uuid, drawn_us_);
+    if (one.participant == code && !live_.recorded()) {
+      memory_.offered = {one};
+      return;
+    }
   }
   memory_.code_known = !live_.record_as(code, !memory_.same_person);
   memory_.same_person = false;
@@ -253,22 +248,38 @@ void SessionView::leave_welcome() {
   actions_.emplace_back(study::Continue{});
 }
 
+// What was not taken up is not offered again.
+void SessionView::refuse_offers() {
+  for (const study::InterruptedSession& one : memory_.offered) {
+    std::erase_if(options_.interrupted, [&](auto& other) { return other.uuid == one.uuid; });
+  }
+  memory_.offered.clear();
+  memory_.refuses_offers = false;
+}
+
 void SessionView::resume(const std::string& uuid, std::int64_t now_us) {
   memory_.resume.clear();
+  const LiveSession::Resumed resumed = live_.resume(uuid, bundle_, registry_, now_us);
+  memory_.resume_differs = resumed == LiveSession::Resumed::differs;
+  if (resumed != LiveSession::Resumed::yes) {
+    std::erase_if(memory_.offered, [&](auto& one) { return one.uuid == uuid; });
+    std::erase_if(options_.interrupted, [&](auto& one) { return one.uuid == uuid; });
+    return;
+  }
   memory_.offered.clear();
-  if (!live_.resume(uuid, bundle_, registry_, now_us)) return;  // the first page is still open
   memory_.back_again = live_.session().paused();
   speak(live_.language());
 }
 
-void SessionView::shown(std::int64_t shown_us, std::int64_t late_us) {
+void SessionView::shown(const ShownFrame& frame) {
   shown_before_us_ = shown_us_;
-  shown_us_ = shown_us;
-  if (late_us > 0 && live_.session().trial() != nullptr) {
-    live_.take(study::LateFrame{late_us}, {.t_us = shown_us, .frame_us = shown_us},
+  shown_us_ = frame.shown_us;
+  live_.count(frame);
+  if (frame.late_us > 0 && live_.session().trial() != nullptr) {
+    live_.take(study::LateFrame{frame.late_us}, {.t_us = shown_us_, .frame_us = shown_us_},
                study::Actor::system);
   }
-  live_.flush(shown_us);
+  live_.flush(shown_us_);
 }
 
 void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {

@@ -8,6 +8,7 @@
 #include "app/live_session.h"
 #include "app/screens/screen.h"
 #include "app/window/input_queue.h"
+#include "app/window/shown_frame.h"
 
 namespace promenade::app {
 
@@ -32,7 +33,7 @@ class SessionView {
   // in ImGui::GetDrawData.
   void frame(std::int64_t now_us);
   // A frame was put on screen.
-  void shown(std::int64_t shown_us, std::int64_t late_us);
+  void shown(const ShownFrame& frame);
   // The window is to be closed. Where there can be a pause it opens one that offers the end
   // of the session; asked there again, or anywhere else, the session is over.
   void ask_to_close(std::int64_t now_us);
@@ -61,6 +62,7 @@ class SessionView {
   void take_actions();
   void leave_welcome();
   void resume(const std::string& uuid, std::int64_t now_us);
+  void refuse_offers();
   void speak(const std::string& language);
 
   const study::StudyBundle& bundle_;

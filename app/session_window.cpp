@@ -3,19 +3,22 @@
 #include <algorithm>
 
 #include "app/autopilot.h"
+#include "app/doctor/doctor.h"
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
+#include "app/window/display_loss.h"
 #include "app/window/frame_loop.h"
 #include "app/window/gui_renderer.h"
+#include "study/copy.h"
 #include "study/identity.h"
 
 namespace promenade::app {
 namespace {
 
-study::SessionHeader header_of(const SessionSetting& setting, const Window& window) {
+study::SessionHeader header_of(const SessionSetting& setting, const Json& machine) {
   study::SessionHeader header;
   header.started_utc = study::utc_now();
   header.station = setting.station;
@@ -23,8 +26,6 @@ study::SessionHeader header_of(const SessionSetting& setting, const Window& wind
       setting.language.empty() ? setting.bundle.study.languages.front() : setting.language;
   header.simulated = setting.autopilot.has_value();
   header.pilot = setting.pilot;
-  Json machine = Json::parse(window.description());
-  machine["program"] = "promenade";
   header.machine = machine.dump();
   return header;
 }
@@ -39,8 +40,12 @@ class Player {
                  .screen = setting.bundle.study.display.screen},
                 queue_),
         gui_(make_palette(setting.bundle.study.display.paper_colours), shown_words(setting.bundle)),
-        live_(make_session(setting, store), store, header_of(setting, window_), monotonic_us()) {
-    fit();
+        machine_(describe_machine()),
+        live_(make_session(setting, store), store, header_of(setting, machine_), monotonic_us()) {
+    queue_.watch(setting.watch_input);
+    live_.keep_frames([&store](int trial, const study::FrameHistogram& frames) {
+      store.write_frames(trial, frames);
+    });
     view_ = std::make_unique<SessionView>(setting.bundle, interfaces(), gui_, live_, queue_,
                                           view_options(store));
     if (setting.autopilot) {
@@ -59,12 +64,13 @@ class Player {
 
   SessionResult play() {
     open_examples();
+    const DisplayLossGuard guard([this] { return last_words(); });
     warm_up();
-    const FrameTimes times = run_frames(
-        window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
-                  .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
-                  .shown = [this](std::int64_t t, std::int64_t late) { view_->shown(t, late); },
-                  .ended = [this] { return ended(); }});
+    const FrameTimes times =
+        run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
+                             .draw_screen = [this](std::int64_t now_us) { draw_screen(now_us); },
+                             .shown = [this](const ShownFrame& frame) { view_->shown(frame); },
+                             .ended = [this] { return ended(); }});
     if (live_.failure()) throw OutsideError(*live_.failure());
     return {.outcome = live_.session().outcome(),
             .recorded = live_.recorded(),
@@ -76,8 +82,18 @@ class Player {
   }
 
  private:
+  // The display is gone; the session waits as it does after a crash.
+  std::string last_words() {
+    live_.save();
+    if (!live_.recorded()) return "the display went away before the session began; start it again";
+    return "the display went away; the session until then is in " + setting_.database +
+           ", start it again to go on with it";
+  }
+
   static study::Session make_session(const SessionSetting& setting, study::Store& store) {
-    const int sequence = store.next_sequence(setting.autopilot.has_value(), setting.pilot);
+    const int sequence = setting.sequence
+                             ? *setting.sequence
+                             : store.next_sequence(setting.autopilot.has_value(), setting.pilot);
     return {setting.bundle, interfaces(), study::make_plan(setting.bundle.study, sequence),
             setting.language.empty()};
   }
@@ -87,11 +103,22 @@ class Player {
     const bool simulated = setting_.autopilot.has_value();
     ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
-      const bool wanted =
-          setting_.participant.empty() || setting_.participant == one.participant;
+      const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
       if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
     }
     return options;
+  }
+
+  // A simulated participant is there to try the program, not the machine.
+  Json describe_machine() {
+    fit();
+    Json machine = Json::parse(window_.description());
+    machine["program"] = "promenade";
+    if (setting_.autopilot) return machine;
+    const Canvas canvas{window_, gui_, gui_renderer_, renderer_};
+    machine["doctor"] = to_json(quick_doctor(canvas, setting_.bundle, setting_.database));
+    queue_.forget_presses();  // no page was there yet
+    return machine;
   }
 
   void fit() {
@@ -159,10 +186,24 @@ class Player {
       interrupted_ = true;
     }
     if (view_->ended()) return;
+    copy_on_last_page();
     if (autopilot_) autopilot_->act(now_us, live_.session(), view_->widgets(), queue_);
     view_->frame(now_us);
     gui_renderer_.draw();
     draw_examples_window();
+  }
+
+  // While there is still somebody to see that it failed.
+  void copy_on_last_page() {
+    const study::PageKind page = live_.session().page().kind;
+    const bool last = page == study::PageKind::thanks || page == study::PageKind::declined;
+    if (!last || copied_ || !live_.recorded()) return;
+    copied_ = true;
+    live_.save();
+    if (auto problem =
+            study::second_copy_problem(setting_.bundle, setting_.database, setting_.station)) {
+      view_->tell_copy_problem(*problem);
+    }
   }
 
   // By accident, perhaps; nobody is there to be asked when the participant is simulated.
@@ -180,12 +221,14 @@ class Player {
   Gui gui_;
   GuiRenderer gui_renderer_;
   FigureRenderer renderer_;
+  Json machine_;  // before the session, whose time begins after it was measured
   LiveSession live_;
   std::unique_ptr<SessionView> view_;
   std::unique_ptr<Autopilot> autopilot_;
   std::unique_ptr<ExamplesWindow> examples_;
   std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
+  bool copied_ = false;
 };
 
 }  // namespace
@@ -200,7 +243,13 @@ SessionResult run_session(const SessionSetting& setting) {
   require_fonts();
   study::Store store(setting.database, setting.bundle);
   if (!setting.trace.empty()) store.trace_to(setting.trace);
-  return Player(setting, store).play();
+  SessionResult result = Player(setting, store).play();
+  // With how it ended, too.
+  if (result.recorded) {
+    result.copy_problem =
+        study::second_copy_problem(setting.bundle, setting.database, setting.station);
+  }
+  return result;
 }
 
 }  // namespace promenade::app

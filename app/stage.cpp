@@ -23,9 +23,22 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
   // After a pause (a page without figures, a stopped program) the walk goes on
   // where it was.
   const std::int64_t passed_us = last_us_ < 0 ? 0 : now_us - last_us_;
-  double seconds = passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us);
-  seconds *= pace_.playing ? pace_.speed : 0;
   last_us_ = now_us;
+  walk(passed_us > 500'000 ? 0 : 1e-6 * static_cast<double>(passed_us), cast);
+  pose(cast);
+}
+
+void Stage::enter(const Cast& cast) {
+  figure(Role::target).present = cast.target != nullptr;
+  figure(Role::reference).present = cast.reference != nullptr;
+  figure(Role::created).present = cast.created != nullptr;
+  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
+}
+
+void Stage::walk(double seconds, const Cast& cast) {
+  enter(cast);
+  seconds *= pace_.playing ? pace_.speed : 0;
+  if (seconds == 0) return;
   const motion::Cycle* pace = cast.target != nullptr ? cast.target : cast.created;
   const double before = phase_;
   const double reference_before = reference_phase_;
@@ -33,13 +46,23 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
   if (cast.reference != nullptr) {
     reference_phase_ = walked(*cast.reference, reference_before, seconds);
   }
-  pose(figure(Role::target), cast.target, before, phase_);
-  pose(figure(Role::reference), cast.reference, reference_before, reference_phase_);
-  // Nothing of a hidden figure may show, not even how fast its ground would go by.
-  figure(Role::created).hidden = cast.blind && cast.created != nullptr;
-  pose(figure(Role::created), cast.created, before, phase_);
+  go(figure(Role::target), cast.target, before, phase_);
+  go(figure(Role::reference), cast.reference, reference_before, reference_phase_);
+  go(figure(Role::created), cast.created, before, phase_);
   phase_ -= std::floor(phase_);
   reference_phase_ -= std::floor(reference_phase_);
+}
+
+void Stage::pose(const Cast& cast) {
+  enter(cast);
+  pose(figure(Role::target), cast.target, phase_);
+  pose(figure(Role::reference), cast.reference, reference_phase_);
+  pose(figure(Role::created), cast.created, phase_);
+}
+
+void Stage::restart() {
+  phase_ = reference_phase_ = 0;
+  for (Figure& figure : figures_) figure.travel.setZero();
 }
 
 // The phase that many seconds later, not wrapped.
@@ -47,21 +70,24 @@ double Stage::walked(const motion::Cycle& cycle, double phase, double seconds) c
   return motion::phase_at(set_, cycle, motion::seconds_at(set_, cycle, phase) + seconds);
 }
 
-void Stage::pose(Figure& figure, const motion::Cycle* cycle, double before, double phase) {
-  figure.present = cycle != nullptr;
-  if (cycle == nullptr || figure.hidden) return;
-  motion::pose_at(set_, *cycle, phase, pose_);
-  motion::forward_kinematics(set_.skeleton, pose_, world_);
-  place_parts(mannequin_, world_, figure.parts);
-  turn(figure.parts, start_yaw + orbit_.yaw);
-  figure.shadow.splat(figure.parts, shadow_light());
-  if (!travels_) return;
+void Stage::go(Figure& figure, const motion::Cycle* cycle, double before, double phase) {
+  // Nothing of a hidden figure may show, not even how fast its ground would go by.
+  if (cycle == nullptr || figure.hidden || !travels_) return;
   // In its own time, so that its feet stay where they stand.
   const double seconds =
       motion::seconds_at(set_, *cycle, phase) - motion::seconds_at(set_, *cycle, before);
   figure.travel += (cycle->velocity * seconds).cast<float>();
   // The grid repeats every metre.
   figure.travel -= figure.travel.array().floor().matrix();
+}
+
+void Stage::pose(Figure& figure, const motion::Cycle* cycle, double phase) {
+  if (cycle == nullptr || figure.hidden) return;
+  motion::pose_at(set_, *cycle, phase, pose_);
+  motion::forward_kinematics(set_.skeleton, pose_, world_);
+  place_parts(mannequin_, world_, figure.parts);
+  turn(figure.parts, start_yaw + orbit_.yaw);
+  figure.shadow.splat(figure.parts, shadow_light());
 }
 
 // Those that are there share the stage from left to right.

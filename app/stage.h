@@ -40,6 +40,11 @@ class Stage {
   // with the controls; alone, the created figure walks at its own. A reference is a
   // yardstick of tempo, too: it walks in its own time.
   void advance(std::int64_t now_us, const Cast& cast);
+  // The same in two halves: so many seconds of life pass, as slowly as the pace says (the
+  // rotations of the cycles are not needed); and the figures are as they now are.
+  void walk(double seconds, const Cast& cast);
+  void pose(const Cast& cast);
+  void restart();  // as if nothing had walked yet
   // Time passed in which nothing moved.
   void rest(std::int64_t now_us) { last_us_ = now_us; }
   void draw(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
@@ -68,7 +73,9 @@ class Stage {
   const Figure& figure(Role role) const { return figures_[static_cast<std::size_t>(role)]; }
   Figure& figure(Role role) { return figures_[static_cast<std::size_t>(role)]; }
   double walked(const motion::Cycle& cycle, double phase, double seconds) const;
-  void pose(Figure& figure, const motion::Cycle* cycle, double before, double phase);
+  void enter(const Cast& cast);
+  void go(Figure& figure, const motion::Cycle* cycle, double before, double phase);
+  void pose(Figure& figure, const motion::Cycle* cycle, double phase);
   Box spot(const Box& stage, Role role) const;
   void draw_ground(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
                    const Palette& palette, Role role);

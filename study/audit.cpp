@@ -16,17 +16,25 @@ constexpr std::size_t most_differences = 100;  // of one session
 // What the replay gave, by trial as they began.
 struct Played {
   struct Trial {
+    int index = 0;  // into Plan::trials
+    int attempt = 1;
+    bool superseded = false;
     std::optional<double> d_first;
     std::vector<Sample> samples;
     std::optional<TrialEnded> ended;
   };
   std::vector<Trial> trials;
   std::vector<Event> events;
+  std::vector<Answer> answers;
 
   void take(const std::vector<Record>& records) {
     for (const Record& record : records) {
       if (const auto* started = std::get_if<TrialStarted>(&record)) {
-        trials.push_back({started->d_first, {}, {}});
+        trials.push_back({started->trial, started->attempt, false, started->d_first, {}, {}});
+      } else if (const auto* answer = std::get_if<Answer>(&record)) {
+        answers.push_back(*answer);
+      } else if (const auto* old = std::get_if<TrialSuperseded>(&record)) {
+        for (Trial& trial : trials) trial.superseded |= trial.index == old->trial;
       } else if (const auto* sample = std::get_if<Sample>(&record)) {
         trials.back().samples.push_back(*sample);
       } else if (const auto* ended = std::get_if<TrialEnded>(&record)) {
@@ -140,6 +148,35 @@ void compare_ends(const LoggedTrial& stored, const std::optional<TrialEnded>& pl
   count("camera_moves", p.camera_moves, q.camera_moves);
 }
 
+void compare_identity(const LoggedTrial& stored, const Played::Trial& played, const Study& study,
+                      const Plan& plan, Comparison& compare) {
+  const PlannedTrial& planned = plan.trials[static_cast<std::size_t>(played.index)];
+  compare.text("position", std::to_string(stored.position), std::to_string(planned.position));
+  compare.text("attempt", std::to_string(stored.attempt), std::to_string(played.attempt));
+  compare.text("superseded", stored.superseded ? "1" : "0", played.superseded ? "1" : "0");
+  compare.text("task", stored.task, task_of(study, planned).name);
+  compare.text("target", stored.target, target_of(study, planned).name);
+  if (planned.interface < 0) return;
+  compare.text("interface", stored.interface,
+               study.interfaces[static_cast<std::size_t>(planned.interface)].name);
+}
+
+void compare_answers(const std::vector<Answer>& stored, const std::vector<Answer>& played,
+                     Comparison& compare) {
+  compare.at(-1, 0);
+  compare.text("number of answers", std::to_string(stored.size()), std::to_string(played.size()));
+  for (std::size_t i = 0; i < std::min(stored.size(), played.size()); ++i) {
+    const Answer& a = stored[i];
+    const Answer& b = played[i];
+    compare.at(-1, a.t_us);
+    compare.text("item", a.instrument + "/" + a.item, b.instrument + "/" + b.item);
+    compare.number("answer", a.value, b.value);
+    compare.text("answer's text", a.text, b.text);
+    compare.text("declined", a.declined ? "1" : "0", b.declined ? "1" : "0");
+    compare.text("touched", a.touched ? "1" : "0", b.touched ? "1" : "0");
+  }
+}
+
 void compare_events(const LoggedSession& log, const std::vector<Event>& played,
                     Comparison& compare) {
   std::size_t i = 0;
@@ -160,8 +197,9 @@ void compare_events(const LoggedSession& log, const std::vector<Event>& played,
 void audit(const StudyBundle& bundle, const InterfaceRegistry& registry, const LoggedSession& log,
            Audit& audit) {
   Played played;
-  replay(bundle, registry, log,
-         [&played](const Session&, const std::vector<Record>& records) { played.take(records); });
+  const Session session = replay(
+      bundle, registry, log,
+      [&played](const Session&, const std::vector<Record>& records) { played.take(records); });
   Comparison compare(log, audit);
   compare.text("number of trials", std::to_string(log.trials.size()),
                std::to_string(played.trials.size()));
@@ -176,11 +214,15 @@ void audit(const StudyBundle& bundle, const InterfaceRegistry& registry, const L
   for (std::size_t i = 0; i < std::min(log.trials.size(), played.trials.size()); ++i) {
     const int trial = static_cast<int>(i);
     compare.at(trial, log.trials[i].started_us);
+    compare_identity(log.trials[i], played.trials[i], bundle.study, session.plan(), compare);
     compare.number("d_first", log.trials[i].d_first, played.trials[i].d_first);
     compare_samples(stored[i], played.trials[i].samples, trial, compare);
     compare_ends(log.trials[i], played.trials[i].ended, trial, compare);
   }
   compare_events(log, played.events, compare);
+  compare_answers(log.answers, played.answers, compare);
+  compare.at(-1, log.last_us);
+  if (log.outcome != "withdrawn") compare.text("outcome", log.outcome, to_text(session.outcome()));
   ++audit.sessions;
   audit.trials += static_cast<int>(log.trials.size());
 }

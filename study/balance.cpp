@@ -18,14 +18,29 @@ bool differ_by_one_at_most(const Eigen::MatrixXi& counts, bool without_diagonal)
   return most <= least || most - least <= 1;
 }
 
+bool is_dealt(const Task& task) { return task.deal == Deal::rotated && !task.lists.empty(); }
+
+// Interfaces x lists of one task; those that do not do it have no row.
+Eigen::MatrixXi count_lists(const Study& study, int task, const std::vector<Plan>& plans) {
+  const Task& dealt = study.tasks[static_cast<std::size_t>(task)];
+  Eigen::MatrixXi counts = Eigen::MatrixXi::Zero(static_cast<Eigen::Index>(dealt.interfaces.size()),
+                                                 static_cast<Eigen::Index>(dealt.lists.size()));
+  for (const Plan& plan : plans) {
+    for (std::size_t i = 0; i < dealt.interfaces.size(); ++i) {
+      ++counts(static_cast<Eigen::Index>(i),
+               list_of(study, task, dealt.interfaces[i], plan.sequence));
+    }
+  }
+  return counts;
+}
+
 }  // namespace
 
 std::vector<int> block_order(const Plan& plan) {
   std::vector<int> order;
-  int block = 0;
   for (const PlannedTrial& trial : plan.trials) {
-    if (trial.block != block) order.push_back(trial.interface);
-    block = trial.block;
+    const bool known = std::find(order.begin(), order.end(), trial.interface) != order.end();
+    if (trial.interface >= 0 && !known) order.push_back(trial.interface);
   }
   return order;
 }
@@ -44,6 +59,12 @@ Balance balance_of(const Study& study, const std::vector<Plan>& plans) {
   }
   balance.even = differ_by_one_at_most(balance.position, false) &&
                  differ_by_one_at_most(balance.carry_over, true);
+  for (std::size_t t = 0; t < study.tasks.size(); ++t) {
+    balance.lists.emplace_back();
+    if (!is_dealt(study.tasks[t])) continue;
+    balance.lists.back() = count_lists(study, static_cast<int>(t), plans);
+    balance.even = balance.even && differ_by_one_at_most(balance.lists.back(), false);
+  }
   return balance;
 }
 

@@ -26,6 +26,12 @@ std::vector<CsvRow> parse_csv(std::string_view text);
 // As a cell of such a table: quoted when it must be.
 std::string csv_cell(std::string_view text);
 
+// A row of cells that are text already, with its end of line (LF).
+std::string csv_line(const std::vector<std::string>& cells);
+
+// The fewest digits that read back as the same double, "." before decimals; "inf", "-inf".
+std::string csv_number(double value);
+
 // A whole number in the C notation, finite, whatever the locale; else nothing.
 std::optional<double> parse_number(std::string_view text);
 

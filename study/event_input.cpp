@@ -16,24 +16,25 @@ struct Plain {
 };
 
 // Actions that have nothing but their name.
-const std::array<Plain, 10>& plain_actions() {
-  static const std::array<Plain, 10> all = {{{"continue", Continue{}},
-                                            {"decline", Decline{}},
-                                            {"press", Press{}},
-                                            {"done", Done{}},
-                                            {"start_over", StartOver{}},
-                                            {"undo", Undo{}},
-                                            {"redo", Redo{}},
-                                            {"pause", Pause{}},
-                                            {"resume", Resume{}},
-                                             {"release", Release{}}}};
+const std::array<Plain, 12>& plain_actions() {
+  static const std::array<Plain, 12> all = {{{"continue", Continue{}},
+                                             {"decline", Decline{}},
+                                             {"press", Press{}},
+                                             {"done", Done{}},
+                                             {"start_over", StartOver{}},
+                                             {"undo", Undo{}},
+                                             {"redo", Redo{}},
+                                             {"pause", Pause{}},
+                                             {"resume", Resume{}},
+                                             {"release", Release{}},
+                                             {"done_refused", Done{}},
+                                             {"continue_refused", Continue{}}}};
   return all;
 }
 
 bool by_the_system(const std::string& kind) {
   for (const char* one :
-       {"page", "start", "won", "timeout", "won_by_guess", "practice_over", "practice_again",
-        "continue_refused", "done_refused"}) {
+       {"page", "start", "won", "timeout", "won_by_guess", "practice_over", "practice_again"}) {
     if (kind == one) return true;
   }
   return false;
@@ -68,8 +69,7 @@ std::optional<Action> action_of(const Event& event) {
   if (event.kind == "skip") return Skip{detail.value("reason", "")};
   if (event.kind == "repeat") return Repeat{event.target == "block", detail.value("reason", "")};
   if (event.kind == "interrupted") {
-    return Interrupted{std::llround(1e6 * event.value.value_or(0)),
-                       resume_policy_of(event.target)};
+    return Interrupted{std::llround(1e6 * event.value.value_or(0)), resume_policy_of(event.target)};
   }
   if (event.kind == "late_frame") return LateFrame{std::llround(event.value.value_or(0))};
   if (event.kind == "camera") return camera_of(detail);
@@ -85,7 +85,13 @@ std::optional<Action> action_of(const Event& event) {
 }  // namespace
 
 std::optional<Input> input_of(const Event& event) {
-  std::optional<Action> action = action_of(event);
+  std::optional<Action> action;
+  try {
+    action = action_of(event);
+  } catch (const Json::exception&) {
+    throw InputError("event \"" + event.kind + "\" at " + std::to_string(event.t_us) + " us",
+                     "its detail is damaged");
+  }
   if (!action) return std::nullopt;
   Input input;
   input.t_us = event.t_us;

@@ -7,9 +7,9 @@
 
 namespace promenade::study {
 
-// The input that logged this event; nothing for what the system wrote by itself
-// ("page", "start", "won") and for what was refused. Ticks log no event: where
-// the weights moved by themselves, the samples say when.
+// The input that logged this event, also one that was refused; nothing for what the system
+// wrote by itself ("page", "start", "won"). Ticks log no event: where the weights moved by
+// themselves, the samples say when. Throws InputError when its detail is damaged.
 std::optional<Input> input_of(const Event& event);
 
 }  // namespace promenade::study

@@ -11,8 +11,6 @@ namespace {
 
 using motion::DistancePoints;
 
-constexpr double start_margin = 0.8;
-
 DistancePoints points_of(const motion::MotionSpace& space, const Eigen::VectorXd& weights,
                          DistanceTimes times) {
   return motion::distance_points(space.set, motion::blend(space, weights), times);
@@ -102,6 +100,15 @@ double weights_distance(const motion::MotionSpace& space, const Eigen::VectorXd&
   return motion::distance(points_of(space, a, times), points_of(space, b, times)).mean_m;
 }
 
+DistancePoints blend_points(const motion::PoseBank& bank, const Eigen::VectorXd& weights,
+                            DistanceTimes times) {
+  motion::PoseBlend blend = motion::make_pose_blend(bank);
+  motion::set_weights(bank, weights, blend);
+  DistancePoints points;
+  motion::distance_points(bank, blend, points, times);
+  return points;
+}
+
 double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target,
                       DistanceTimes times) {
   return weights_distance(space, start_weights(space), target, times);
@@ -124,6 +131,7 @@ double automatic_threshold(const motion::MotionSpace& space, const Task& task) {
   double threshold = 0.5 * median_style_distance(space, task.distance);
   for (const std::vector<Target>* targets : {&task.targets, &task.practice}) {
     for (const Target& target : *targets) {
+      if (target.draw) threshold = std::min(threshold, start_margin * target.least_start_m);
       if (!target.weights) continue;
       threshold =
           std::min(threshold, start_margin * start_distance(space, *target.weights, task.distance));

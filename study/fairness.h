@@ -12,6 +12,10 @@ using motion::DistanceTimes;
 double weights_distance(const motion::MotionSpace& space, const Eigen::VectorXd& a,
                         const Eigen::VectorXd& b, DistanceTimes times = DistanceTimes::time);
 
+// What D compares of the blend, as `motion::distance` wants it.
+motion::DistancePoints blend_points(const motion::PoseBank& bank, const Eigen::VectorXd& weights,
+                                    DistanceTimes times = DistanceTimes::time);
+
 // D of a target at the state in which trials begin.
 double start_distance(const motion::MotionSpace& space, const Eigen::VectorXd& target,
                       DistanceTimes times = DistanceTimes::time);
@@ -22,7 +26,9 @@ double median_style_distance(const motion::MotionSpace& space,
                              DistanceTimes times = DistanceTimes::time);
 
 // threshold = "auto": half the median distance between styles, but never more than
-// 0.8 times the D from which the nearest target of the task starts.
+// 0.8 times the D from which the nearest target of the task starts. Targets that are drawn for
+// each participant start at Target::least_start_m or further away.
+constexpr double start_margin = 0.8;
 double automatic_threshold(const motion::MotionSpace& space, const Task& task);
 
 // What one interface can do about one target.

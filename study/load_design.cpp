@@ -1,8 +1,11 @@
 // How a session is laid out: the design keys of [study], [breaks], [practice], [safety].
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "motion/did_you_mean.h"
+#include "study/plan.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -47,6 +50,19 @@ void read_design(const TomlTable& table, Study& study) {
   read_nesting(table, study);
   study.participants = static_cast<int>(table.integer("participants", 1, 100'000).value_or(0));
   study.most_minutes = table.number("most_minutes", 1, 1440).value_or(study.most_minutes);
+}
+
+void warn_of_numbers(const TomlTable& root, const Study& study) {
+  const int round = round_of_design(study);
+  const int people = study.participants;
+  if (people == 0 || people % round == 0) return;
+  const bool lists = round != rows_of_design(study);
+  const int rounds = std::max(1, people / round);
+  root.table("study")->warning(
+      "participants", fmt::format("{} people are not balanced over the {} orders of the interfaces"
+                                  "{}; {} or {} are",
+                                  people, round, lists ? " with the lists of targets" : "",
+                                  rounds * round, (rounds + 1) * round));
 }
 
 void read_breaks(const TomlTable& root, Study& study) {

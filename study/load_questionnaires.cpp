@@ -50,14 +50,14 @@ void read_ratings(const TomlTable& root, Study& study) {
 
 // What participants call the interfaces: their titles, with the name of the condition where
 // two have one.
-std::vector<Choice> interface_choices(const Study& study) {
+std::vector<Choice> interface_choices(const Study& study, const StudyTexts& all_texts) {
   std::vector<Choice> choices;
   for (const InterfaceUse& use : study.interfaces) {
     Choice choice{use.name, {}};
     const auto alike = std::count_if(study.interfaces.begin(), study.interfaces.end(),
                                      [&use](auto& other) { return other.type == use.type; });
     for (const std::string& language : study.languages) {
-      const Texts texts = load_texts(language);
+      const Texts texts = texts_in(all_texts, language);
       const std::string* title = texts.find("interface." + use.type + ".title");
       choice.text[language] = title == nullptr ? use.name : *title;
       if (title != nullptr && alike > 1) choice.text[language] += " (" + use.name + ")";
@@ -107,6 +107,11 @@ void read_questionnaire(const TomlTable& table, InstrumentShelf& instruments, St
   if (questionnaire.instrument >= 0) study.questionnaires.push_back(std::move(questionnaire));
 }
 
+// A file of the study's own; else a name that the program knows.
+bool is_own(const std::string& name) {
+  return name.size() >= 5 && name.compare(name.size() - 5, 5, ".toml") == 0;
+}
+
 }  // namespace
 
 int InstrumentShelf::add(Instrument instrument) {
@@ -120,12 +125,10 @@ int InstrumentShelf::find(const TomlTable& table, std::string_view key) {
   const auto known = known_.find(*name);
   if (known != known_.end()) return known->second;
   try {
-    const bool own = !embedded_instrument(*name).has_value();
-    InstrumentFile read = own ? read_own(*name) : load_instrument(*name, "", study_.languages);
-    if (!own) files_.keep("instruments/" + *name + ".toml", read.text);
+    InstrumentFile read = is_own(*name) ? read_own(*name) : read_builtin(*name);
     table.reader().add(read.warnings);
     return known_[*name] =
-               add(with_interfaces(std::move(read.instrument), interface_choices(study_)));
+               add(with_interfaces(std::move(read.instrument), interface_choices(study_, texts_)));
   } catch (const InputError& error) {
     add_problems(table, key, *name, error);
   }
@@ -133,10 +136,18 @@ int InstrumentShelf::find(const TomlTable& table, std::string_view key) {
 }
 
 InstrumentFile InstrumentShelf::read_own(const std::string& name) {
-  if (name.size() < 5 || name.compare(name.size() - 5, 5, ".toml") != 0) {
+  return read_instrument(files_.full_path(name), files_.read(name), study_.languages);
+}
+
+InstrumentFile InstrumentShelf::read_builtin(const std::string& name) {
+  const std::string path = "instruments/" + name + ".toml";
+  const std::string* text = nullptr;
+  try {
+    text = &files_.read_builtin(path);
+  } catch (const InputError&) {
     return load_instrument(name, "", study_.languages);  // says which there are
   }
-  return read_instrument(files_.full_path(name), files_.read(name), study_.languages);
+  return read_instrument("configs/" + path, *text, study_.languages);
 }
 
 void read_questionnaires(const TomlTable& root, InstrumentShelf& instruments, Study& study) {

@@ -1,5 +1,7 @@
 #include "study/load_study.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <utility>
 
@@ -9,13 +11,35 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/pack.h"
+#include "study/plan.h"
 #include "study/ratings_csv.h"
+#include "study/simulated_raters.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
 namespace {
 
 constexpr std::string_view configs = "configs/";
+constexpr std::string_view builtin_prefix = "builtin:";
+
+bool is_builtin(const std::string& name) { return name.rfind(builtin_prefix, 0) == 0; }
+
+std::optional<std::string> simulated_ratings_in(const std::string& path) {
+  for (const char* set : {"A", "B", "N"}) {
+    if (path != simulated_ratings_path(set)) continue;
+    if (const auto table = simulated_ratings(set)) return ratings_csv(*table);
+  }
+  return std::nullopt;
+}
+
+// Of a file that comes with the program, or is made by it.
+std::string builtin_content(const std::string& name) {
+  const std::string path = name.substr(builtin_prefix.size());
+  if (const auto text = embedded_file(path)) return std::string(*text);
+  if (auto ratings = simulated_ratings_in(path)) return std::move(*ratings);
+  throw InputError(name, "does not come with this version of Promenade");
+}
 
 std::string text_of(const std::string& file) {
   std::error_code ignored;
@@ -51,14 +75,37 @@ bool names_its_set(const TomlTable& root) {
   return root.reader().whole() || (section && section->has("set"));
 }
 
-// Made once, and only when an interface asks.
-std::shared_ptr<const AdjectiveModel> adjectives_of(StudyBundle& bundle) {
+// In the order of the set; ratings of other motions keep their own, and whoever uses them says
+// so once.
+RatingsTable ratings_in(const std::string& file, const std::string& text,
+                        const motion::MotionSet& set) {
+  try {
+    return read_ratings_csv(file, text, motion::names_of(set));
+  } catch (const InputError&) {
+    return read_ratings_csv(file, text, {});
+  }
+}
+
+// Made once, and only when an interface asks: of ratings by simulated raters, which are part
+// of the study from then on.
+std::shared_ptr<const AdjectiveModel> adjectives_of(StudyFiles& files, StudyBundle& bundle) {
   const auto builtin = motion::builtin_name(bundle.study.set);
   if (bundle.adjectives || !builtin) return bundle.adjectives;
-  if (auto model = builtin_adjective_model(*builtin)) {
-    bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(*model));
-  }
+  const std::string path = simulated_ratings_path(*builtin);
+  RatingsTable table = ratings_in(builtin_path(path), files.read_builtin(path), bundle.space.set);
+  const std::string source = describe(RaterOptions{.raters = table.raters});
+  bundle.adjectives =
+      std::make_shared<const AdjectiveModel>(make_adjective_model(std::move(table), source));
   return bundle.adjectives;
+}
+
+StudyTexts texts_of_languages(StudyFiles& files, const std::vector<std::string>& languages) {
+  StudyTexts texts;
+  for (const std::string& language : languages) {
+    const std::string path = "languages/" + language + ".toml";
+    texts.emplace(language, load_texts(language, builtin_path(path), files.read_builtin(path)));
+  }
+  return texts;
 }
 
 // What nobody may take for people's opinion.
@@ -75,6 +122,22 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
+// What was drawn, and what the first participant gets: another program may draw otherwise. To
+// six places, so that the last bits of another machine make no other study.
+void put_draws(const Study& study, std::string& bytes) {
+  for (std::size_t t = 0; t < study.tasks.size(); ++t) {
+    for (const auto* targets : {&study.tasks[t].targets, &study.tasks[t].practice}) {
+      for (const Target& target : *targets) {
+        if (target.stream.empty()) continue;
+        put(bytes, target.name);
+        const Eigen::VectorXd weights =
+            target.draw ? drawn_target(study, static_cast<int>(t), target, 0) : *target.weights;
+        for (const double weight : weights) put(bytes, fmt::format("{:.6f}", weight));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd start_weights(const motion::MotionSpace& space) {
@@ -85,17 +148,10 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
   std::string bytes;
   put(bytes, bundle.config_text);
   put(bytes, bundle.set_sha256);
+  put(bytes, std::to_string(bundle.parts.size()));
   for (const StudyPart& part : bundle.parts) {
     put(bytes, part.path);
     put(bytes, part.content);
-  }
-  if (bundle.adjectives) put(bytes, ratings_csv(bundle.adjectives->table));
-  for (const std::string& language : bundle.study.languages) {
-    const Texts texts = load_texts(language);
-    for (const std::string& key : texts.keys()) {
-      put(bytes, key);
-      put(bytes, texts(key));
-    }
   }
   for (const InterfaceUse& use : bundle.study.interfaces) {
     const InterfaceType* type = registry.find(use.type);
@@ -107,15 +163,25 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
       put(bytes, to_text(value));
     }
   }
+  put_draws(bundle.study, bytes);
   return sha256_hex(bytes);
 }
 
+std::string builtin_path(std::string_view path) {
+  return std::string(builtin_prefix) + std::string(path);
+}
+
+std::string simulated_ratings_path(std::string_view builtin_set) {
+  return "ratings/" + std::string(builtin_set) + ".csv";
+}
+
 std::string load_file(const std::string& name, const std::string& folder) {
+  if (is_builtin(name)) return builtin_content(name);
   return read_file((std::filesystem::path(folder) / name).string());
 }
 
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set, const FileLoader& load_file) {
+                       const SetLoader& load_set, const FileLoader& read) {
   TomlReader reader(file, text);
   if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
@@ -126,7 +192,8 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_breaks(root, study);
   read_practice(root, study);
   read_safety(root, study);
-  StudyFiles files(std::filesystem::path(file).parent_path().string(), load_file);
+  StudyFiles files(std::filesystem::path(file).parent_path().string(), read);
+  bundle.texts = texts_of_languages(files, study.languages);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);
   if (set) {
@@ -136,15 +203,17 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
     read_ratings_file(root, files, bundle);
   }
   bool asked = false;
-  const InterfaceResources resources{bundle.space, [&bundle, &asked] {
+  const InterfaceResources resources{bundle.space, [&bundle, &files, &asked] {
                                        asked = true;
-                                       return adjectives_of(bundle);
+                                       return adjectives_of(files, bundle);
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
+  InstrumentShelf instruments(files, study, bundle.texts);
+  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments,
+                                  bundle.texts, files, &bundle.bank, resources.adjectives});
   if (asked) warn_of_simulated_raters(root, bundle);
-  InstrumentShelf instruments(files, study);
-  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments});
   read_questionnaires(root, instruments, study);
+  if (reader.ok()) warn_of_numbers(root, study);
   bundle.warnings = reader.finish();
   bundle.parts = files.parts();
   bundle.file = file;
@@ -155,8 +224,31 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   return bundle;
 }
 
+StudyBundle read_frozen_study(const std::string& file, const FrozenStudy& frozen,
+                              const InterfaceRegistry& registry) {
+  const auto part = [&](const std::string& name, const std::string& folder) {
+    for (const StudyPart& one : frozen.parts) {
+      if (one.path == name) return one.content;
+    }
+    if (is_builtin(name)) return load_file(name, folder);
+    throw InputError(file, "does not hold \"" + name + "\", which the study names");
+  };
+  const auto set = [&](const std::string&, const std::string&) {
+    return motion::from_bytes(frozen.set_bytes, file);
+  };
+  StudyBundle bundle = read_study(file, frozen.config_text, registry, set, part);
+  // As they were frozen, whatever else this program would take or write.
+  bundle.parts = frozen.parts;
+  bundle.set_bytes = frozen.set_bytes;
+  bundle.set_sha256 = sha256_hex(bundle.set_bytes);
+  bundle.sha256 = study_hash(bundle, registry);
+  return bundle;
+}
+
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry) {
-  return read_study(file, text_of(file), registry, load_motion_set);
+  std::string text = text_of(file);
+  if (is_packed(text)) return unpack_study(text, file, registry);
+  return read_study(file, std::move(text), registry, load_motion_set);
 }
 
 }  // namespace promenade::study

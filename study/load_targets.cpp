@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "motion/did_you_mean.h"
 #include "study/study_parts.h"
@@ -76,18 +77,41 @@ std::optional<Eigen::VectorXd> read_example(const TomlTable& target, const Study
 Target read_target(const TomlTable& table, const StudyContext& context) {
   Target target;
   target.place = table.place();
+  for (const char* other : {"random", "file"}) table.text(other);  // known, though not here
   const bool example = table.has("example");
   target.name = table.text("name").value_or("");
   target.weights = read_example(table, context);
   const auto blend = read_weights(table, context);
   if (blend) target.weights = blend;
-  if (example == table.has("weights")) {
-    table.error(R"(a target needs either "example" or "weights")");
-  }
   if (target.name.empty() && example) target.name = table.text("example").value_or("");
   refuse_unsafe_name(table, table.has("name") ? "name" : "example", target.name);
-  if (target.name.empty() && !example) table.error(R"(a target of "weights" needs a "name")");
+  if (target.name.empty() && table.has("weights")) {
+    table.error(R"(a target of "weights" needs a "name")");
+  }
   return target;
+}
+
+// One entry of the list: one target, or several.
+std::vector<Target> read_source(const TomlTable& table, std::string_view key,
+                                const StudyContext& context, const TargetRules& rules) {
+  int sources = 0;
+  for (const char* source : {"example", "weights", "random", "file"}) {
+    sources += table.has(source) ? 1 : 0;
+  }
+  if (sources != 1) table.error(R"(a target needs one of "example", "weights", "random", "file")");
+  if (table.has("random")) return read_random_targets(table, key, context, rules);
+  if (table.has("file")) return read_target_file(table, context);
+  return {read_target(table, context)};
+}
+
+// By their places: an entry may stand for several.
+void refuse_double_targets(TomlReader& reader, const std::vector<Target>& targets) {
+  std::set<std::string> names;
+  for (const Target& target : targets) {
+    if (target.name.empty() || names.insert(target.name).second || !reader.whole()) continue;
+    reader.add(target.place,
+               "there is another target with the name \"" + target.name + "\" before");
+  }
 }
 
 // Does `text` say `word`, as a word of its own? Letters beyond ASCII (Japanese) need
@@ -108,7 +132,7 @@ bool says(const std::string& text, const std::string& word) {
 void warn_of_labels(const TomlTable& table, const Target& target, const StudyContext& context) {
   if (!context.space) return;
   for (const auto& [language, quality] : target.quality) {
-    const Texts texts = load_texts(language);
+    const Texts texts = texts_in(context.texts, language);
     for (const motion::Cycle& cycle : context.space->set.cycles) {
       const std::string label = texts.style(cycle.style);
       if (!says(label, quality) && !says(quality, label) && !says(cycle.name, quality)) continue;
@@ -129,13 +153,16 @@ std::vector<std::string> names_of(const std::vector<Target>& targets) {
 }  // namespace
 
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
-                                 const StudyContext& context) {
+                                 const StudyContext& context, const TargetRules& rules) {
   std::vector<Target> targets;
   const std::vector<TomlTable> tables = task.tables(key);
-  targets.reserve(tables.size());
-  for (const TomlTable& table : tables) targets.push_back(read_target(table, context));
-  refuse_doubles(tables, names_of(targets), "target");
-  if (targets.empty() && key == "targets" && task.is(key, TomlValue::Kind::array)) {
+  for (const TomlTable& table : tables) {
+    for (Target& target : read_source(table, key, context, rules)) {
+      targets.push_back(std::move(target));
+    }
+  }
+  refuse_double_targets(task.reader(), targets);
+  if (tables.empty() && key == "targets" && task.is(key, TomlValue::Kind::array)) {
     task.error(key, "\"targets\" must not be empty");
   }
   return targets;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "motion/did_you_mean.h"
+#include "study/deal.h"
 #include "study/fairness.h"
 #include "study/study_parts.h"
 
@@ -49,51 +50,87 @@ std::vector<int> read_interface_list(const TomlTable& table, const Study& study)
   return indices;
 }
 
+// D at the start; of a target that is drawn later the least that it can be.
+std::optional<double> start_of(const Target& target, const Task& task,
+                               const motion::MotionSpace& space) {
+  if (target.draw) return target.least_start_m;
+  if (!target.weights) return std::nullopt;
+  return start_distance(space, *target.weights, task.distance);
+}
+
 // A target that is won before anything was touched measures nothing.
-void refuse_won_targets(const TomlTable& table, std::string_view key,
-                        const std::vector<Target>& targets, const Task& task,
-                        const motion::MotionSpace& space) {
-  const double threshold = *task.threshold_m;
-  const std::vector<TomlTable> tables = table.tables(key);
-  for (std::size_t i = 0; i < targets.size() && i < tables.size(); ++i) {
-    if (!targets[i].weights) continue;
-    const double start = start_distance(space, *targets[i].weights, task.distance);
+void refuse_won_targets(const TomlTable& table, const std::vector<Target>& targets,
+                        const Task& task, const motion::MotionSpace& space) {
+  for (const Target& target : targets) {
+    const auto start = start_of(target, task, space);
     // "auto" goes down with the nearest target, to nothing at the average itself.
-    if (start >= std::max(threshold, least_threshold_m)) continue;
-    tables[i].error(fmt::format(
-        "target \"{}\" is won before anything is touched: at the start D is {:.4f} m, below the "
-        "threshold of {:.4f} m; ask for a walk further from the average or set a lower threshold",
-        targets[i].name, start, threshold));
+    if (!start || *start >= std::max(*task.threshold_m, least_threshold_m)) continue;
+    if (!table.reader().whole()) continue;
+    table.reader().add(
+        target.place,
+        fmt::format("target \"{}\" is won before anything is touched: at the start D {} {:.4f} m, "
+                    "below the threshold of {:.4f} m; ask for a walk further from the average or "
+                    "set a lower threshold",
+                    target.name, target.draw ? "can be" : "is", *start, *task.threshold_m));
   }
 }
 
-void read_threshold(const TomlTable& table, const StudyContext& context, Task& task) {
-  if (!table.has("threshold")) return;
-  const bool automatic = table.is("threshold", TomlValue::Kind::text);
-  if (automatic) {
-    if (!table.choice("threshold", {"auto"}) || !context.space) return;
-    task.threshold_m = automatic_threshold(*context.space, task);
-  } else {
-    task.threshold_m = table.number("threshold", least_threshold_m, largest_threshold_m);
-  }
-  if (!task.threshold_m || !context.space) return;
-  refuse_won_targets(table, "targets", task.targets, task, *context.space);
-  refuse_won_targets(table, "practice", task.practice, task, *context.space);
+// A number is known before the targets, which are drawn by it; "auto" comes after them.
+void read_fixed_threshold(const TomlTable& table, Task& task) {
+  if (!table.has("threshold") || table.is("threshold", TomlValue::Kind::text)) return;
+  task.threshold_m = table.number("threshold", least_threshold_m, largest_threshold_m);
+}
+
+void read_automatic_threshold(const TomlTable& table, const StudyContext& context, Task& task) {
+  if (!table.is("threshold", TomlValue::Kind::text)) return;
+  if (!table.choice("threshold", {"auto"}) || !context.space) return;
+  task.threshold_m = automatic_threshold(*context.space, task);
 }
 
 void read_match_targets(const TomlTable& table, const StudyContext& context, Task& task) {
-  task.targets = read_targets(table, "targets", context);
-  task.practice = read_targets(table, "practice", context);
+  const TargetRules rules{task.name, task.distance, task.threshold_m};
+  task.targets = read_targets(table, "targets", context, rules);
+  task.practice = read_targets(table, "practice", context, rules);
   const bool guess = task.kind == TaskKind::guess;
   if (!table.has("targets")) {
     table.error(std::string("a \"") + (guess ? "guess" : "match") + "\" task needs \"targets\"");
   }
 }
 
-void read_match(const TomlTable& table, const StudyContext& context, Task& task) {
+// deal = "rotated": lists of equal difficulty, as many as interfaces.
+void read_deal(const TomlTable& table, const StudyContext& context, Task& task) {
+  if (table.choice("deal", {"same", "rotated"}) != "rotated") return;
+  task.deal = Deal::rotated;
+  const std::size_t lists = task.interfaces.size();
+  if (lists == 0 || task.targets.empty() || !table.reader().ok()) return;
+  if (task.targets.size() % lists != 0) {
+    const std::size_t rounds = std::max<std::size_t>(1, task.targets.size() / lists);
+    table.error("deal",
+                fmt::format("{} targets cannot be dealt evenly to {} interfaces; take {} "
+                            "or {}",
+                            task.targets.size(), lists, rounds * lists, (rounds + 1) * lists));
+    return;
+  }
+  std::vector<double> difficulties;
+  for (const Target& target : task.targets) {
+    difficulties.push_back(context.space ? start_of(target, task, *context.space).value_or(0) : 0);
+  }
+  task.lists = deal_lists(difficulties, static_cast<int>(lists));
+}
+
+void read_match(const TomlTable& table, const StudyContext& context, bool has_targets, Task& task) {
   const bool by_phase = table.choice("distance", {"time", "phase"}) == "phase";
   task.distance = by_phase ? motion::DistanceTimes::phase : motion::DistanceTimes::time;
-  read_threshold(table, context, task);
+  read_fixed_threshold(table, task);
+  if (!has_targets) {
+    read_match_targets(table, context, task);
+    read_deal(table, context, task);
+  }
+  read_automatic_threshold(table, context, task);
+  if (task.threshold_m && context.space) {
+    refuse_won_targets(table, task.targets, task, *context.space);
+    refuse_won_targets(table, task.practice, task, *context.space);
+  }
   const double dwell_ms = table.number("dwell_ms", 0, longest_dwell_ms).value_or(500);
   task.dwell_us = static_cast<std::int64_t>(dwell_ms * 1000);
 }
@@ -102,6 +139,7 @@ void read_find(const TomlTable& table, const StudyContext& context, Task& task) 
   task.targets = read_qualities(table, "qualities", context);
   task.practice = read_qualities(table, "practice", context);
   if (!table.has("qualities")) table.error(R"(a "find" task needs "qualities")");
+  read_deal(table, context, task);
 }
 
 // Whose panel shows the figure cannot be used blind.
@@ -149,9 +187,22 @@ void read_start(const TomlTable& table, const std::vector<Task>& before, Task& t
   }
   if (task.start_guess >= 0) return;
   guesses.emplace_back("average");
-  table.error("start", "\"start\" is \"average\", or the name of a task of kind \"guess\" that "
-                       "stands before this one, not \"" + *name + "\"" +
-                           did_you_mean(*name, guesses));
+  table.error("start",
+              "\"start\" is \"average\", or the name of a task of kind \"guess\" that "
+              "stands before this one, not \"" +
+                  *name + "\"" + did_you_mean(*name, guesses));
+}
+
+// With an interface that does not do the guess there is nothing to begin from.
+void refuse_unguessed(const TomlTable& table, const StudyContext& context, const Task& guess,
+                      const Task& task) {
+  for (const int index : task.interfaces) {
+    const auto& known = guess.interfaces;
+    if (std::find(known.begin(), known.end(), index) != known.end()) continue;
+    table.error("start", "nobody does the task \"" + guess.name + "\" with the interface \"" +
+                             context.study.interfaces[static_cast<std::size_t>(index)].name +
+                             "\", so that there is no guess to begin from");
+  }
 }
 
 void take_targets(const TomlTable& table, const Task& guess, Task& task) {
@@ -159,6 +210,13 @@ void take_targets(const TomlTable& table, const Task& guess, Task& task) {
     if (!table.has(key)) continue;
     table.error(key, std::string("a task that begins from a guess has the \"") + key +
                          "\" of that task; leave this out");
+  }
+  for (const int interface : task.interfaces) {
+    const std::vector<int>& guessed = guess.interfaces;
+    if (std::find(guessed.begin(), guessed.end(), interface) != guessed.end()) continue;
+    table.error("interfaces", "a task that begins from a guess has no other interfaces than \"" +
+                                  guess.name + "\"");
+    break;
   }
   task.targets = guess.targets;
   task.practice = guess.practice;
@@ -174,8 +232,9 @@ void read_rate(const TomlTable& table, const StudyContext& context, Task& task) 
   task.has_done = true;
   table.require("instrument");
   task.instrument = context.instruments.find(table, "instrument");
-  task.targets = read_targets(table, "targets", context);
-  task.practice = read_targets(table, "practice", context);
+  const TargetRules anywhere{task.name, {}, 0.0};
+  task.targets = read_targets(table, "targets", context, anywhere);
+  task.practice = read_targets(table, "practice", context, anywhere);
   if (!table.has("targets")) table.error(R"(a "rate" task needs "targets", the motions to rate)");
 }
 
@@ -185,15 +244,15 @@ void read_by_kind(const TomlTable& table, const StudyContext& context,
   if (task.kind == TaskKind::find) return read_find(table, context, task);
   if (task.kind == TaskKind::rate) return read_rate(table, context, task);
   if (task.start_guess >= 0) {
-    take_targets(table, before[static_cast<std::size_t>(task.start_guess)], task);
-  } else if (known || table.has("targets")) {
-    read_match_targets(table, context, task);
-  } else {
+    const Task& guess = before[static_cast<std::size_t>(task.start_guess)];
+    refuse_unguessed(table, context, guess, task);
+    take_targets(table, guess, task);
+  } else if (!known && !table.has("targets")) {
     table.tables("practice");
-    for (const char* key : {"threshold", "dwell_ms", "distance"}) table.scalar(key);
+    for (const char* key : {"threshold", "dwell_ms", "distance", "deal"}) table.scalar(key);
     return;
   }
-  read_match(table, context, task);
+  read_match(table, context, task.start_guess >= 0, task);
 }
 
 Task read_task(const TomlTable& table, const StudyContext& context,

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <map>
+#include <numeric>
+#include <tuple>
 
 #include "study/plan_pages.h"
 
@@ -15,12 +18,6 @@ std::vector<int> counted(std::size_t n) {
   return values;
 }
 
-std::size_t rows_of_design(const Study& study) {
-  const int n = static_cast<int>(study.interfaces.size());
-  if (study.order == Order::latin) return latin_square(n).size();
-  return study.order == Order::williams ? williams_design(n).size() : 1;
-}
-
 std::vector<int> interface_order(const Study& study, int sequence) {
   const int n = static_cast<int>(study.interfaces.size());
   std::vector<int> order = counted(study.interfaces.size());
@@ -31,6 +28,12 @@ std::vector<int> interface_order(const Study& study, int sequence) {
   if (study.order == Order::random || study.order == Order::fixed || n == 0) return order;
   const auto rows = study.order == Order::latin ? latin_square(n) : williams_design(n);
   return rows[static_cast<std::size_t>(sequence) % rows.size()];
+}
+
+// A task that begins from a guess has the targets, lists and draws of that task.
+int dealer_of(const Study& study, int task) {
+  const int guess = study.tasks[static_cast<std::size_t>(task)].start_guess;
+  return guess >= 0 ? guess : task;
 }
 
 bool contains(const std::vector<int>& values, int value) {
@@ -150,12 +153,8 @@ class Trials {
     if (!contains(asked.interfaces, choice.interface)) return false;
     if (choice.target >= static_cast<int>(asked.targets.size())) return false;
     if (asked.deal == Deal::same) return true;
-    // Over as many sequences as there are lists every interface meets every list; over all
-    // orders of the design times that, in every order.
-    const auto sequence = static_cast<std::size_t>(plan_.sequence);
-    const std::size_t shift = sequence + sequence / rows_of_design(study_);
-    const auto list = (static_cast<std::size_t>(choice.interface) + shift) % asked.lists.size();
-    return contains(asked.lists[list], choice.target);
+    const int list = list_of(study_, choice.task, choice.interface, plan_.sequence);
+    return contains(asked.lists[static_cast<std::size_t>(list)], choice.target);
   }
 
   // A block that gets no trial is none.
@@ -173,28 +172,61 @@ class Trials {
     trial.interface = choice.interface;
     trial.target = choice.target;
     const Target& target = target_of(study_, trial);
-    if (target.draw) {
-      Rng stream = stream_of(choice.task, target.name);
-      trial.drawn = target.draw(stream);
-    }
+    if (target.draw) trial.drawn = drawn(choice.task, target, practice, choice.target);
     plan_.trials.push_back(std::move(trial));
   }
 
-  // The same for all interfaces, and for a guess and what begins from it.
-  Rng stream_of(int index, const std::string& target) const {
-    const int guess = task(index).start_guess;
-    const std::string& name = task(guess >= 0 ? guess : index).name;
-    return {study_.seed, static_cast<std::uint64_t>(plan_.sequence), "target:" + name + ":" + target};
+  // Drawn once, for all interfaces, and for a guess and what begins from it.
+  const Eigen::VectorXd& drawn(int index, const Target& target, bool practice, int place) {
+    Eigen::VectorXd& weights = drawn_[{dealer_of(study_, index), practice, place}];
+    if (weights.size() == 0) weights = drawn_target(study_, index, target, plan_.sequence);
+    return weights;
   }
 
   const Study& study_;
   Plan& plan_;
   Rng order_;
   std::vector<int> interfaces_, tasks_;
+  std::map<std::tuple<int, bool, int>, Eigen::VectorXd> drawn_;
   int block_ = 0;
 };
 
 }  // namespace
+
+int rows_of_design(const Study& study) {
+  const int n = static_cast<int>(study.interfaces.size());
+  if (n == 0) return 1;
+  if (study.order == Order::latin) return static_cast<int>(latin_square(n).size());
+  return study.order == Order::williams ? static_cast<int>(williams_design(n).size()) : 1;
+}
+
+int round_of_design(const Study& study) {
+  int lists = 1;
+  for (const Task& task : study.tasks) {
+    if (task.deal == Deal::rotated && !task.lists.empty()) {
+      lists = std::lcm(lists, static_cast<int>(task.lists.size()));
+    }
+  }
+  return rows_of_design(study) * lists;
+}
+
+// Over as many sequences as there are lists every interface meets every list; over all orders
+// of the design times that, in every order.
+int list_of(const Study& study, int task, int interface, int sequence) {
+  const Task& dealer = study.tasks[static_cast<std::size_t>(dealer_of(study, task))];
+  const auto found = std::find(dealer.interfaces.begin(), dealer.interfaces.end(), interface);
+  const int rows = rows_of_design(study);
+  const int shift = sequence % rows + sequence / rows;
+  const auto place = static_cast<int>(found - dealer.interfaces.begin());
+  return (place + shift) % static_cast<int>(dealer.lists.size());
+}
+
+Eigen::VectorXd drawn_target(const Study& study, int task, const Target& target, int sequence) {
+  const std::string& name = study.tasks[static_cast<std::size_t>(dealer_of(study, task))].name;
+  const std::string& stream = target.stream.empty() ? target.name : target.stream;
+  Rng rng(study.seed, static_cast<std::uint64_t>(sequence), "target:" + name + ":" + stream);
+  return target.draw(rng);
+}
 
 Plan make_plan(const Study& study, int sequence) {
   assert(sequence >= 0 && "orders are counted from 0");

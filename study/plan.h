@@ -65,6 +65,19 @@ Plan make_plan(const Study& study, int sequence);
 
 std::string_view to_text(PageKind kind);
 
+// How many orders of interfaces the design has before they repeat: 1 where they are fixed or
+// drawn by lot.
+int rows_of_design(const Study& study);
+// How many sequences bring every order of the design together with every rotation of the lists
+// of targets: the number of participants is balanced when it is a multiple of this.
+int round_of_design(const Study& study);
+
+// Which of the lists of a task this interface gets.
+int list_of(const Study& study, int task, int interface, int sequence);
+
+// N weights of a target of this task that is drawn for each participant (Target::draw).
+Eigen::VectorXd drawn_target(const Study& study, int task, const Target& target, int sequence);
+
 const Task& task_of(const Study& study, const PlannedTrial& trial);
 const Target& target_of(const Study& study, const PlannedTrial& trial);
 // N weights of the motion that the trial is about; null in find tasks.

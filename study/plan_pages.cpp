@@ -39,12 +39,11 @@ class Pages {
   }
   bool ends_task(int index) const {
     const PlannedTrial& one = trial(index);
-    return !one.practice &&
-           std::none_of(plan_.trials.begin() + index + 1, plan_.trials.end(),
-                        [&](const PlannedTrial& later) {
-                          return !later.practice && later.task == one.task &&
-                                 later.interface == one.interface;
-                        });
+    return !one.practice && std::none_of(plan_.trials.begin() + index + 1, plan_.trials.end(),
+                                         [&](const PlannedTrial& later) {
+                                           return !later.practice && later.task == one.task &&
+                                                  later.interface == one.interface;
+                                         });
   }
 
   void open(int index) {

@@ -28,8 +28,12 @@ std::string process_start(std::int64_t process) {
     at = stat.find(' ', at + 1);
   }
   if (at == std::string::npos) return "";
+  const std::size_t name_ends = stat.rfind(')');
+  const char state = name_ends + 2 < stat.size() ? stat[name_ends + 2] : 'X';
+  if (state == 'Z' || state == 'X') return "";  // it has ended, and nobody has asked how
   const std::string boot = content_of("/proc/sys/kernel/random/boot_id");
-  return boot.substr(0, boot.find('\n')) + ":" + stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
+  return boot.substr(0, boot.find('\n')) + ":" +
+         stat.substr(at + 1, stat.find(' ', at + 1) - at - 1);
 }
 
 bool lives(std::int64_t process, const std::string& start) {

@@ -8,11 +8,11 @@
 namespace promenade::study {
 namespace {
 
-constexpr int cells = 10;                        // along each side of the map
-constexpr double margin = 0.1;                   // around the examples, of their extent
-constexpr std::int64_t rest_us = 2'000'000;      // from here on it counts as idle
+constexpr int cells = 10;                         // along each side of the map
+constexpr double margin = 0.1;                    // around the examples, of their extent
+constexpr std::int64_t rest_us = 2'000'000;       // from here on it counts as idle
 constexpr std::int64_t camera_rest_us = 500'000;  // between two gestures of the camera
-constexpr double as_it_is = 1e-6;                // how near a weight is to 1
+constexpr double as_it_is = 1e-6;                 // how near a weight is to 1
 
 double seconds(std::int64_t us) { return 1e-6 * static_cast<double>(us); }
 
@@ -107,7 +107,8 @@ ProcessMeasures ProcessMeter::at(std::int64_t t_us) const {
   end.turn();
   ProcessMeasures& measures = end.measures_;
   if (d_) measures.d_area_m_s = measures.d_area_m_s.value_or(0) + *d_ * seconds(t_us - shown_us_);
-  measures.examples_visited = static_cast<int>(std::count(examples_.begin(), examples_.end(), true));
+  measures.examples_visited =
+      static_cast<int>(std::count(examples_.begin(), examples_.end(), true));
   measures.map_coverage = static_cast<double>(cells_.count()) / (cells * cells);
   return measures;
 }

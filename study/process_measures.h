@@ -28,8 +28,8 @@ struct ProcessMeasures {
 // The plane of the first two principal components, over the examples of a set: what coverage
 // is counted on, whatever the interface. A set without spread has a map of one cell.
 struct CoverageMap {
-  Eigen::MatrixX2d examples;                // N x 2
-  Eigen::RowVector2d least, cell;           // of the 10 x 10 cells around them
+  Eigen::MatrixX2d examples;                          // N x 2
+  Eigen::RowVector2d least, cell;                     // of the 10 x 10 cells around them
   int cell_of(const Eigen::VectorXd& weights) const;  // 0 to 99; beyond the edge: -1
 };
 CoverageMap make_coverage_map(const motion::MotionSpace& space);

@@ -8,8 +8,8 @@
 #include "motion/models/adjective_pairs.h"
 #include "motion/problem.h"
 #include "motion/set_file.h"
+#include "study/migrate.h"
 #include "study/ratings.h"
-#include "study/schema.h"
 #include "study/sqlite.h"
 
 namespace promenade::study {
@@ -96,8 +96,7 @@ DatabaseRatings read_database_ratings(const std::string& file, const RatingSelec
                                       const motion::MotionSet* set) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) throw InputError(file, "is no file");
-  Database database(file, Database::Mode::read_only);
-  check_database(database);
+  Database database = open_log(file);
   Found found = read_answers(database, selection);
   if (found.problems.empty() && found.last.empty()) report_none(file, found);
   std::vector<NamedRating> ratings;

@@ -15,19 +15,15 @@ using Eigen::VectorXd;
 constexpr motion::SearchOptions search_options{
     .first_step = 0.15, .smallest_step = 1e-3, .evaluations = 600};
 
-motion::DistancePoints points_of(const motion::PoseBank& bank, const VectorXd& weights,
-                                 DistanceTimes times) {
-  motion::PoseBlend blend = motion::make_pose_blend(bank);
-  motion::set_weights(bank, weights, blend);
-  motion::DistancePoints points;
-  motion::distance_points(bank, blend, points, times);
-  return points;
-}
-
 std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
   if (bundle.adjectives) return *bundle.adjectives;
   const auto builtin = motion::builtin_name(bundle.study.set);
   return builtin ? builtin_adjective_model(*builtin) : std::nullopt;
+}
+
+void take(ControlMapOrReason found, const char* name, ReachModels& models) {
+  if (found.map) return models.maps.push_back(std::move(*found.map));
+  models.missing.push_back({name, found.reason});
 }
 
 // The sliders of the adjectives, or why there are none.
@@ -38,12 +34,7 @@ void add_adjectives(const motion::MotionSet& set, ReachModels& models) {
     return;
   }
   const auto& model = models.adjectives;
-  const auto refuse = [&](const char* reason) { models.missing.push_back({"adjectives", reason}); };
-  if (!model) return refuse("nobody has rated the motions of this set");
-  if (model->table.motions != names_of(set)) return refuse("the ratings are of other motions");
-  const Eigen::MatrixXd& primary = model->quantification.primary;
-  if (primary.rows() == 0) return refuse("the raters agree on no pair of adjectives");
-  models.maps.push_back(motion::slider_controls("adjectives", model->names, primary));
+  take(adjective_controls(model ? &*model : nullptr, set), "adjectives", models);
 }
 
 // Those of the first map of the study; the standards when it has none.
@@ -54,18 +45,12 @@ motion::MapOptions options_of_map(const Study& study) {
   return {};
 }
 
-void add_features(const motion::MotionSet& set, ReachModels& models) {
-  if (set.size() < 2) return models.missing.push_back({"features", "the set has one cycle"});
-  const motion::FeatureSliders sliders = motion::feature_sliders(set);
-  models.maps.push_back(motion::slider_controls("features", sliders.names, sliders.parameters));
-}
-
 // Everything about the motions, behind what is known of their adjectives.
 ReachModels completed(const StudyBundle& bundle, ReachModels models) {
   const motion::MotionSet& set = bundle.space.set;
   models.bank = bundle.bank;
   add_adjectives(set, models);
-  add_features(set, models);
+  take(feature_controls(set), "features", models);
   models.maps.push_back(motion::label_controls(set));
   if (auto map = motion::map_controls(bundle.space, options_of_map(bundle.study))) {
     models.maps.push_back(std::move(*map));
@@ -77,6 +62,20 @@ ReachModels completed(const StudyBundle& bundle, ReachModels models) {
 }
 
 }  // namespace
+
+ControlMapOrReason adjective_controls(const AdjectiveModel* model, const motion::MotionSet& set) {
+  if (!model) return {{}, "nobody has rated the motions of this set"};
+  if (model->table.motions != names_of(set)) return {{}, "the ratings are of other motions"};
+  const Eigen::MatrixXd& primary = model->quantification.primary;
+  if (primary.rows() == 0) return {{}, "the raters agree on no pair of adjectives"};
+  return {motion::slider_controls("adjectives", model->names, primary), ""};
+}
+
+ControlMapOrReason feature_controls(const motion::MotionSet& set) {
+  if (set.size() < 2) return {{}, "the set has one cycle"};
+  const motion::FeatureSliders sliders = motion::feature_sliders(set);
+  return {motion::slider_controls("features", sliders.names, sliders.parameters), ""};
+}
 
 ReachModels make_reach_models(const StudyBundle& bundle, std::optional<AdjectiveModel> adjectives) {
   ReachModels models;
@@ -99,7 +98,7 @@ const motion::ControlMap* find_map(const ReachModels& models, std::string_view t
 Reach reach(const ReachModels& models, const motion::ControlMap& map, const Target& target,
             double threshold_m, DistanceTimes times) {
   assert(target.weights && "only a target motion can be reached");
-  const motion::DistancePoints wanted = points_of(models.bank, *target.weights, times);
+  const motion::DistancePoints wanted = blend_points(models.bank, *target.weights, times);
   Rng rng(1, 0, "reach");
   const motion::Reach found =
       motion::reach(models.bank, wanted, motion::problem_of(map, *target.weights),
@@ -108,7 +107,7 @@ Reach reach(const ReachModels& models, const motion::ControlMap& map, const Targ
   Reach result{found.start_m, found.best_m, INFINITY, found.share_below,
                static_cast<int>(found.random_m.size())};
   for (int i = 0; i < models.bank.size(); ++i) {
-    const auto example = points_of(models.bank, VectorXd::Unit(models.bank.size(), i), times);
+    const auto example = blend_points(models.bank, VectorXd::Unit(models.bank.size(), i), times);
     result.best_example = std::min(result.best_example, motion::distance(wanted, example).mean_m);
   }
   if (map.shows_examples) result.best = std::min(result.best, result.best_example);

@@ -20,6 +20,14 @@ struct ReachModels {
   std::vector<Missing> missing;  // interfaces that this set cannot have
 };
 
+// The sliders of one interface, or why this set has none. `model` may be null.
+struct ControlMapOrReason {
+  std::optional<motion::ControlMap> map;
+  std::string reason;
+};
+ControlMapOrReason adjective_controls(const AdjectiveModel* model, const motion::MotionSet& set);
+ControlMapOrReason feature_controls(const motion::MotionSet& set);
+
 // Without a model of its own a built-in set gets that of its simulated raters.
 ReachModels make_reach_models(const StudyBundle& bundle,
                               std::optional<AdjectiveModel> adjectives = std::nullopt);

@@ -9,6 +9,13 @@
 
 namespace promenade::study {
 
+// The session before its first step, as the log says it began. What is named outlives it.
+Session session_of(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                   const LoggedSession& log);
+
+// What leads to this row of the log: the input that was logged, or else that time passed.
+Input input_of(const LoggedStep& step);
+
 // Steps a fresh session through the log. `stepped`, if there is one, is called after each
 // step with what it returned. The study is the one that the session ran on.
 Session replay(const StudyBundle& bundle, const InterfaceRegistry& registry,
@@ -31,8 +38,8 @@ struct Audit {
   std::vector<Difference> differences;                // at most 100 a session
 };
 
-// Every stored weight, D and summary of the session against its replay. Numbers differ
-// from 1e-9 on, relative to the larger, or to 1e-12 where both are smaller than that.
+// Everything that is stored of the session against its replay. Numbers differ from a relative
+// difference of 1e-9 on, or where both are below 1e-3 from 1e-12 on.
 void audit(const StudyBundle& bundle, const InterfaceRegistry& registry, const LoggedSession& log,
            Audit& audit);
 

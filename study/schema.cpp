@@ -1,6 +1,6 @@
 #include "study/schema.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -12,26 +12,27 @@ namespace promenade::study {
 namespace {
 
 constexpr const char* tables_sql = R"sql(
-CREATE TABLE study(
+CREATE TABLE IF NOT EXISTS study(
   uuid TEXT PRIMARY KEY, name TEXT NOT NULL, version TEXT NOT NULL, config_text TEXT NOT NULL,
   study_sha256 TEXT NOT NULL UNIQUE, program_version TEXT NOT NULL, created_utc TEXT NOT NULL,
   motion_set TEXT REFERENCES motion_set(uuid)
 ) STRICT;
-CREATE TABLE motion_set(
+CREATE TABLE IF NOT EXISTS motion_set(
   uuid TEXT PRIMARY KEY, name TEXT NOT NULL, sha256 TEXT NOT NULL UNIQUE, content BLOB NOT NULL
 ) STRICT;
-CREATE TABLE study_part(
+CREATE TABLE IF NOT EXISTS study_part(
   study TEXT NOT NULL REFERENCES study(uuid), path TEXT NOT NULL, content BLOB NOT NULL,
   PRIMARY KEY (study, path)
 ) STRICT, WITHOUT ROWID;
-CREATE TABLE amendment(
+CREATE TABLE IF NOT EXISTS amendment(
   study TEXT PRIMARY KEY REFERENCES study(uuid), previous TEXT NOT NULL REFERENCES study(uuid),
-  reason TEXT NOT NULL, amended_utc TEXT NOT NULL
+  reason TEXT NOT NULL, amended_utc TEXT NOT NULL,
+  same_orders INTEGER NOT NULL DEFAULT 0 CHECK (same_orders IN (0,1))
 ) STRICT;
-CREATE TABLE participant(
+CREATE TABLE IF NOT EXISTS participant(
   uuid TEXT PRIMARY KEY, code TEXT NOT NULL UNIQUE
 ) STRICT;
-CREATE TABLE session(
+CREATE TABLE IF NOT EXISTS session(
   uuid TEXT PRIMARY KEY, study TEXT NOT NULL REFERENCES study(uuid),
   participant TEXT NOT NULL REFERENCES participant(uuid), station TEXT NOT NULL,
   seed INTEGER NOT NULL, sequence INTEGER NOT NULL, language TEXT NOT NULL,
@@ -39,10 +40,10 @@ CREATE TABLE session(
   outcome TEXT NOT NULL CHECK (outcome IN ('running','finished','declined','withdrawn','stopped')),
   simulated INTEGER NOT NULL CHECK (simulated IN (0,1)),
   pilot INTEGER NOT NULL CHECK (pilot IN (0,1)), process INTEGER, machine TEXT NOT NULL,
-  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0
+  process_start TEXT, resumed INTEGER NOT NULL DEFAULT 0, alive_us INTEGER
 ) STRICT;
-CREATE INDEX session_by_order ON session(simulated, pilot, sequence);
-CREATE TABLE trial(
+CREATE INDEX IF NOT EXISTS session_by_order ON session(simulated, pilot, sequence);
+CREATE TABLE IF NOT EXISTS trial(
   uuid TEXT PRIMARY KEY, session TEXT NOT NULL REFERENCES session(uuid),
   position INTEGER NOT NULL, block INTEGER NOT NULL, practice INTEGER NOT NULL CHECK (practice IN (0,1)),
   task TEXT NOT NULL, interface TEXT NOT NULL, target TEXT NOT NULL, limit_s REAL,
@@ -55,48 +56,50 @@ CREATE TABLE trial(
   d_area_m_s REAL, path_m REAL, reversals INTEGER, drags INTEGER, controls_touched INTEGER,
   examples_visited INTEGER, map_coverage REAL, idle_us INTEGER, camera_moves INTEGER
 ) STRICT;
-CREATE INDEX trial_by_session ON trial(session, position);
-CREATE TABLE event(
+CREATE INDEX IF NOT EXISTS trial_by_session ON trial(session, position);
+CREATE TABLE IF NOT EXISTS event(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
   seq INTEGER NOT NULL, t_us INTEGER NOT NULL, uncertainty_us INTEGER NOT NULL,
   frame_us INTEGER, actor TEXT NOT NULL CHECK (actor IN ('participant','system','experimenter')),
   kind TEXT NOT NULL, target TEXT, value REAL, x REAL, y REAL, detail TEXT,
   PRIMARY KEY (session, seq)
 ) STRICT, WITHOUT ROWID;
-CREATE TABLE sample(
+CREATE TABLE IF NOT EXISTS sample(
   trial TEXT NOT NULL REFERENCES trial(uuid), t_us INTEGER NOT NULL, d REAL, weights BLOB NOT NULL,
   after_seq INTEGER
 ) STRICT;
-CREATE INDEX sample_by_trial ON sample(trial, t_us);
-CREATE TABLE answer(
+CREATE INDEX IF NOT EXISTS sample_by_trial ON sample(trial, t_us);
+CREATE TABLE IF NOT EXISTS answer(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
   instrument TEXT NOT NULL, version TEXT NOT NULL, item TEXT NOT NULL, value REAL, text TEXT,
   declined INTEGER NOT NULL CHECK (declined IN (0,1)),
   touched INTEGER NOT NULL CHECK (touched IN (0,1)), t_us INTEGER NOT NULL,
-  asked TEXT, block INTEGER, task TEXT, interface TEXT, place INTEGER
+  asked TEXT, about TEXT REFERENCES trial(uuid), block INTEGER, task TEXT, interface TEXT,
+  place INTEGER
 ) STRICT;
-CREATE INDEX answer_by_session ON answer(session);
-CREATE TABLE frame_histogram(
+CREATE INDEX IF NOT EXISTS answer_by_session ON answer(session);
+CREATE TABLE IF NOT EXISTS frame_histogram(
   session TEXT NOT NULL REFERENCES session(uuid), trial TEXT REFERENCES trial(uuid),
+  measure TEXT NOT NULL CHECK (measure IN ('interval','work')),
   least_us INTEGER NOT NULL, count INTEGER NOT NULL
 ) STRICT;
-CREATE INDEX frame_histogram_by_session ON frame_histogram(session);
-CREATE TABLE roster(
+CREATE INDEX IF NOT EXISTS frame_histogram_by_session ON frame_histogram(session);
+CREATE TABLE IF NOT EXISTS roster(
   code TEXT PRIMARY KEY, station TEXT NOT NULL, sequence INTEGER NOT NULL,
   state TEXT NOT NULL CHECK (state IN ('booked','done','no_show','replaced')),
   replaces TEXT, changed_utc TEXT NOT NULL
 ) STRICT, WITHOUT ROWID;
-CREATE TABLE tombstone(
+CREATE TABLE IF NOT EXISTS tombstone(
   participant TEXT PRIMARY KEY, withdrawn_utc TEXT NOT NULL,
   removed TEXT NOT NULL CHECK (removed IN ('everything','link'))
 ) STRICT, WITHOUT ROWID;
-CREATE TABLE backup(
-  path TEXT PRIMARY KEY, made_utc TEXT NOT NULL
+CREATE TABLE IF NOT EXISTS backup(
+  path TEXT PRIMARY KEY, made_utc TEXT NOT NULL, withdrawal_due_utc TEXT
 ) STRICT, WITHOUT ROWID;
-CREATE TABLE receipt(
+CREATE TABLE IF NOT EXISTS receipt(
   source TEXT NOT NULL, sha256 TEXT NOT NULL, merged_utc TEXT NOT NULL, rows_taken TEXT NOT NULL
 ) STRICT;
-CREATE TABLE dictionary(
+CREATE TABLE IF NOT EXISTS dictionary(
   table_name TEXT NOT NULL, column_name TEXT NOT NULL, unit TEXT NOT NULL, meaning TEXT NOT NULL,
   PRIMARY KEY (table_name, column_name)
 ) STRICT, WITHOUT ROWID;
@@ -134,10 +137,23 @@ bool is_cut(const std::string& file) {
 }  // namespace
 
 void create_tables(Database& database) {
-  database.exec(tables_sql);
+  make_missing_tables(database);
   database.exec("PRAGMA application_id = " + std::to_string(application_id));
   database.exec("PRAGMA user_version = " + std::to_string(schema_version));
   fill_dictionary(database);
+}
+
+void make_missing_tables(Database& database) { database.exec(tables_sql); }
+
+int version_of(Database& database) { return static_cast<int>(pragma(database, "user_version")); }
+
+bool is_damaged(Database& database, const std::vector<std::string>& tables) {
+  Statement check(database, "PRAGMA quick_check(1)");
+  if (!check.step() || check.text(0) != "ok") return true;
+  return std::any_of(tables.begin(), tables.end(), [&database](const std::string& table) {
+    Statement lost(database, "PRAGMA foreign_key_check(" + table + ")");
+    return lost.step();
+  });
 }
 
 void check_database(Database& database) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace promenade::study {
 
@@ -18,6 +19,15 @@ inline constexpr const char* damaged_database =
 // Makes all tables in an empty database and fills `dictionary`. The transaction is
 // the caller's.
 void create_tables(Database& database);
+
+// The tables and indices of this version that are not there; columns are not looked at.
+void make_missing_tables(Database& database);
+
+int version_of(Database& database);  // of its tables
+
+// Pages that are no part of a database, or rows of these tables that refer to rows that are
+// gone. Reads the whole file.
+bool is_damaged(Database& database, const std::vector<std::string>& tables);
 
 // Writes the sentence of every column into `dictionary`, over what stands there.
 void fill_dictionary(Database& database);

@@ -111,6 +111,7 @@ std::vector<Record> Session::step(const Input& input) {
   now_us_ = input.t_us;
   Steps steps{*this, input};
   steps.begin();
+  // Nothing here may end the pause: its time is not over.
   if (steps.rests()) {
     std::visit([&](const auto& action) { steps.act(action); }, input.action);
     return std::move(steps.records);
@@ -118,15 +119,13 @@ std::vector<Record> Session::step(const Input& input) {
   if (steps.stands()) return std::move(steps.records);
   steps.wake();
   steps.pass_deadlines(input.t_us);
-  steps.notice_participant();
   std::visit([&](const auto& action) { steps.act(action); }, input.action);
   steps.pass_deadlines(input.t_us);  // a dwell time of 0 has passed at once
   return std::move(steps.records);
 }
 
 std::string Session::Steps::json_text(const char* key, const std::string& text) {
-  return nlohmann::json{{key, text}}.dump(-1, ' ', false,
-                                          nlohmann::json::error_handler_t::replace);
+  return nlohmann::json{{key, text}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Event& Session::Steps::log(const char* kind) {
@@ -137,6 +136,11 @@ Event& Session::Steps::log(const char* kind) {
   event.frame_us = input.frame_us;
   event.actor = input.actor;
   event.kind = kind;
+  const bool by_participant =
+      input.actor == Actor::participant && !std::holds_alternative<LateFrame>(input.action);
+  if (session.trial_ && by_participant) {
+    session.trial_->process.input(session.trial_->control_us(input.t_us));
+  }
   return std::get<Event>(records.emplace_back(std::move(event)));
 }
 
@@ -174,7 +178,7 @@ void Session::Steps::next_page(std::int64_t t_us) {
   if (repeat_practice(t_us)) return;
   if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
   ++session.page_;
-  pass_won_trials();
+  pass_won_trials(t_us);
   open_page(t_us);
 }
 

@@ -25,11 +25,12 @@ enum class TrialOutcome { success, timeout, done, skipped, aborted };
 std::string_view to_text(Actor actor);
 std::string_view to_text(Outcome outcome);
 std::string_view to_text(TrialOutcome outcome);
-std::string_view to_text(ResumePolicy policy);             // "continue", "trial", "block"
-ResumePolicy resume_policy_of(std::string_view word);      // unknown: continue_
+std::string_view to_text(ResumePolicy policy);         // "continue", "trial", "block"
+ResumePolicy resume_policy_of(std::string_view word);  // unknown: continue_
 
 // What can happen to a session.
-struct Tick {};  // time passed
+struct Tick {};  // time passed, and what glides has moved on
+struct Wait {};  // time passed: deadlines fall due, nothing new is shown (a replay)
 struct ChooseLanguage {
   std::string language;
 };
@@ -69,7 +70,7 @@ struct Stop {
 };  // the window is closed, the experimenter ends it
 struct Note {
   std::string text;
-};  // of the experimenter; changes nothing
+};                  // of the experimenter; changes nothing
 struct Release {};  // the experimenter lets the participant go on
 struct Skip {
   std::string reason;
@@ -90,19 +91,21 @@ struct Input {
   std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
-  std::variant<Tick, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver, Undo,
-               Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release, Skip,
-               Repeat, Interrupted>
+  std::variant<Tick, Wait, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver,
+               Undo, Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release,
+               Skip, Repeat, Interrupted>
       action;
 };
 
 // What is logged: one for each row of the database, in order. Kinds of events:
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
 // begins from the common start), "language" (target: the one chosen), "continue",
-// "continue_refused", "decline", "pause", "resume", "press", "done", "start_over", "undo",
-// "redo", "answer", "camera", "playback", "late_frame", "stop"; of the system also "won" (D
-// stayed below the threshold for the dwell time), "timeout", "won_by_guess" (a trial that its
-// guess had already won) and "interrupted" (value: the gap in seconds, target: the policy); of
+// "continue_refused", "done_refused", "decline", "pause", "resume", "press", "done",
+// "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame", "stop"; of the
+// system also "won" (D stayed below the threshold for the dwell time), "timeout",
+// "won_by_guess" (a trial that its guess had already won), "practice_again" and
+// "practice_over" (value: successes; target: why) and "interrupted" (value: the gap in
+// seconds, target: the policy); of
 // the experimenter also "note", "release", "skip" and "repeat" (target: "trial" or "block");
 // and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
@@ -189,12 +192,12 @@ struct TrialState {
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;  // in rate tasks one without controls
   History history;                            // of the controls
-  std::set<std::string> first_touched;  // controls, as "kind target"
-  bool touched = false;                 // false: the start is shown, whatever the controls say
-  Eigen::VectorXd weights;              // shown now
-  Eigen::VectorXd next;                 // scratch
-  motion::PoseBlend blend;              // of these weights
-  motion::Cycle cycle;                  // the same as a cycle
+  std::set<std::string> first_touched;        // controls, as "kind target"
+  bool touched = false;     // false: the start is shown, whatever the controls say
+  Eigen::VectorXd weights;  // shown now
+  Eigen::VectorXd next;     // scratch
+  motion::PoseBlend blend;  // of these weights
+  motion::Cycle cycle;      // the same as a cycle
   std::optional<motion::Cycle> target;
   std::optional<motion::DistancePoints> target_points;  // of the target, for D
   motion::DistancePoints points;                        // of what is shown: scratch
@@ -219,7 +222,8 @@ class Session {
 
   // Time limits and dwell times that passed before the input come first, stamped
   // with their own time. Records are returned in the order of their times. While it is
-  // paused only Resume and Stop do anything, and no deadline comes nearer.
+  // paused no deadline comes nearer, and of what participants do only Resume and Stop count;
+  // what the experimenter does ends the pause, a note apart.
   std::vector<Record> step(const Input& input);
 
   // Another order, while nothing but the first page has been shown.
@@ -260,16 +264,16 @@ class Session {
   std::vector<ItemAnswer> answers_;
   std::vector<std::int64_t> answered_us_;  // when each was given
   std::vector<int> item_order_;
-  std::map<int, TrialOutcome> outcomes_;   // by trial: of its last attempt
-  int practice_rounds_ = 0;                // of the block that runs, to criterion
-  int last_begun_ = -1;                    // index into Plan::trials
+  std::map<int, TrialOutcome> outcomes_;  // by trial: of its last attempt
+  int practice_rounds_ = 0;               // of the block that runs, to criterion
+  int last_begun_ = -1;                   // index into Plan::trials
   // End states of guesses, by index into Plan::trials.
   std::map<int, std::unique_ptr<InterfaceState>> guesses_;
-  bool begun_ = false;                     // the first page has been logged
-  bool declined_ = false;                  // the page that follows Decline is shown
-  bool asks_language_ = false;             // the page before the plan is shown
+  bool begun_ = false;          // the first page has been logged
+  bool declined_ = false;       // the page that follows Decline is shown
+  bool asks_language_ = false;  // the page before the plan is shown
   std::string language_;
-  std::vector<int> attempts_;  // by index into Plan::trials: how often it was begun
+  std::vector<int> attempts_;                // by index into Plan::trials: how often it was begun
   std::int64_t now_us_ = 0, opened_us_ = 0;  // of the last input; of the page
   std::optional<std::int64_t> paused_since_us_;
   std::optional<LastTrial> just_ended_;

@@ -52,11 +52,11 @@ void Session::Steps::emit_answers() {
   Answer common;
   common.instrument = asked->name;
   common.version = asked->version;
-  common.when = page.kind == PageKind::trial
-                    ? When::trial
-                    : session.bundle_->study
-                          .questionnaires[static_cast<std::size_t>(page.questionnaire)]
-                          .when;
+  common.when =
+      page.kind == PageKind::trial
+          ? When::trial
+          : session.bundle_->study.questionnaires[static_cast<std::size_t>(page.questionnaire)]
+                .when;
   (common.when == When::trial ? common.trial : common.about) = page.trial;
   for (std::size_t place = 0; place < session.item_order_.size(); ++place) {
     const auto i = static_cast<std::size_t>(session.item_order_[place]);

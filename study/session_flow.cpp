@@ -53,7 +53,7 @@ ResumePolicy resume_policy_of(std::string_view word) {
 
 void Session::Steps::go_to(std::size_t page, std::int64_t t_us) {
   session.page_ = page;
-  pass_won_trials();
+  pass_won_trials(t_us);
   open_page(t_us);
 }
 
@@ -81,14 +81,14 @@ const InterfaceState* Session::Steps::guess_of(int trial) const {
   return nullptr;
 }
 
-bool Session::Steps::guess_wins(int trial) const {
-  return guess_of(trial) != nullptr && below_threshold(fresh_trial(trial, input.t_us));
+bool Session::Steps::guess_wins(int trial, std::int64_t t_us) const {
+  return guess_of(trial) != nullptr && below_threshold(fresh_trial(trial, t_us));
 }
 
 // There is nothing to introduce.
-void Session::Steps::pass_won_trials() {
+void Session::Steps::pass_won_trials(std::int64_t t_us) {
   const Page& page = session.plan_.pages[session.page_];
-  if (opens_trial(page) && guess_wins(page.trial)) ++session.page_;
+  if (opens_trial(page) && guess_wins(page.trial, t_us)) ++session.page_;
 }
 
 // Practice that is not good enough begins anew, a few times. What has no threshold is good
@@ -113,8 +113,9 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
         !task_of(session.bundle_->study, trials[static_cast<std::size_t>(i)]).threshold_m;
     const auto outcome = session.outcomes_.find(i);
     if (outcome == session.outcomes_.end()) continue;
-    good += outcome->second == TrialOutcome::success ||
-            (free && outcome->second == TrialOutcome::done);
+    if (outcome->second == TrialOutcome::skipped) return false;  // the experimenter's word
+    good +=
+        outcome->second == TrialOutcome::success || (free && outcome->second == TrialOutcome::done);
   }
   const bool enough = good >= std::min(rule.successes, wanted);
   const bool over = enough || ++session.practice_rounds_ >= rule.most_rounds;
@@ -124,6 +125,7 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
   if (over) session.practice_rounds_ = 0;
   if (over) return false;
   for (int i = first; i <= page.trial; ++i) supersede(i, t_us);
+  session.last_begun_ = first;
   go_to(opening_page(session.plan_, first), t_us);
   return true;
 }
@@ -147,7 +149,19 @@ void Session::Steps::repeat(bool block) {
   };
   while (block && first > 0 && block_of(first - 1) == block_of(last)) --first;
   for (int i = first; i <= last; ++i) supersede(i, input.t_us);
+  session.last_begun_ = first;
+  if (block) session.practice_rounds_ = 0;
   go_to(opening_page(session.plan_, first), input.t_us);
+}
+
+// Has the block of the last trial begun and not ended?
+bool Session::Steps::within_block() const {
+  const std::vector<PlannedTrial>& trials = session.plan_.trials;
+  const int last = session.last_begun_;
+  if (last < 0) return false;
+  const auto next = static_cast<std::size_t>(last) + 1;
+  return session.trial_ || (next < trials.size() &&
+                            trials[next].block == trials[static_cast<std::size_t>(last)].block);
 }
 
 void Session::Steps::act(const Note& note) { log("note").detail = json_text("text", note.text); }
@@ -179,15 +193,17 @@ void Session::Steps::act(const Repeat& what) {
   repeat(what.block);
 }
 
-// Between two blocks, and at questions about all of one, nothing is begun anew.
+// Between two blocks nothing is begun anew.
 void Session::Steps::act(const Interrupted& gap) {
   Event& event = log("interrupted");
   event.value = 1e-6 * static_cast<double>(gap.gap_us);
   event.target = to_text(gap.policy);
-  const Page& page = session.page();
-  const bool within = belongs_to(session.bundle_->study, page, page.trial) && page.trial >= 0;
-  if (gap.policy == ResumePolicy::redo_trial && session.trial_) return repeat(false);
-  if (gap.policy == ResumePolicy::redo_block && within) return repeat(true);
+  const bool redo_trial = gap.policy == ResumePolicy::redo_trial && session.trial_;
+  const bool redo_block = gap.policy == ResumePolicy::redo_block && within_block();
+  if (redo_trial || redo_block) {
+    wake();
+    return repeat(redo_block);
+  }
   if (session.paused() || session.ended()) return;
   end_gesture();
   session.paused_since_us_ = input.t_us;

@@ -16,14 +16,13 @@ std::optional<Value> unless_null(const Statement& row, int column, const Get& ge
   return row.is_null(column) ? std::nullopt : std::optional<Value>(get(row, column));
 }
 std::optional<double> real(const Statement& row, int column) {
-  return unless_null<double>(row, column,
-                             [](const Statement& r, int c) { return r.real(c); });
+  return unless_null<double>(row, column, [](const Statement& r, int c) { return r.real(c); });
 }
 
 LoggedSession header_of(Database& database, const std::string& uuid) {
   Statement row(database,
                 "SELECT session.study, participant.code, station, language, outcome, started_utc, "
-                "simulated, pilot, sequence, seed FROM session "
+                "simulated, pilot, sequence, seed, alive_us, machine FROM session "
                 "JOIN participant ON participant.uuid = session.participant "
                 "WHERE session.uuid = ?");
   if (!row.bind(1, uuid).step()) throw InputError(database.file(), "has no session " + uuid);
@@ -39,6 +38,8 @@ LoggedSession header_of(Database& database, const std::string& uuid) {
   session.pilot = row.integer(7) != 0;
   session.sequence = static_cast<int>(row.integer(8));
   session.seed = static_cast<std::uint64_t>(row.integer(9));
+  session.last_us = row.integer(10);
+  session.machine = row.text(11);
   return session;
 }
 
@@ -55,9 +56,9 @@ TrialEnded ended_in(const Statement& row, int from) {
   ended.clicks = count(from + 7);
   ended.changes = count(from + 8);
   ended.late_frames = count(from + 9);
-  ended.process = {real(row, from + 10),  row.real(from + 11),  count(from + 12),
-                   count(from + 13),      count(from + 14),     count(from + 15),
-                   row.real(from + 16),   row.integer(from + 17), count(from + 18)};
+  ended.process = {real(row, from + 10), row.real(from + 11),    count(from + 12),
+                   count(from + 13),     count(from + 14),       count(from + 15),
+                   row.real(from + 16),  row.integer(from + 17), count(from + 18)};
   return ended;
 }
 
@@ -155,8 +156,27 @@ void read_steps(Database& database, const std::map<std::string, int>& trials,
   }
   take_samples(-1);
   for (const LoggedStep& step : session.steps) {
-    const std::int64_t t_us = step.sample ? step.shown.t_us : step.event.t_us;
-    session.last_us = std::max(session.last_us, t_us);
+    session.last_us = std::max(session.last_us, step.t_us());
+  }
+}
+
+void read_answers(Database& database, LoggedSession& session) {
+  Statement row(
+      database,
+      "SELECT instrument, version, item, value, text, declined, touched, t_us FROM answer "
+      "WHERE session = ? ORDER BY rowid");
+  row.bind(1, session.uuid);
+  while (row.step()) {
+    Answer answer;
+    answer.instrument = row.text(0);
+    answer.version = row.text(1);
+    answer.item = row.text(2);
+    answer.value = real(row, 3);
+    answer.text = row.text(4);
+    answer.declined = row.integer(5) != 0;
+    answer.touched = row.integer(6) != 0;
+    answer.t_us = row.integer(7);
+    session.answers.push_back(std::move(answer));
   }
 }
 
@@ -164,6 +184,7 @@ void read_steps(Database& database, const std::map<std::string, int>& trials,
 
 LoggedSession read_session(Database& database, const std::string& uuid) {
   LoggedSession session = header_of(database, uuid);
+  read_answers(database, session);
   read_steps(database, read_trials(database, session), session);
   return session;
 }

@@ -29,16 +29,21 @@ struct LoggedStep {
   int trial = -1;  // index into LoggedSession::trials; -1: outside trials
   Event event;     // its `trial` is not set
   Sample shown;    // its `trial` is not set
+
+  std::int64_t t_us() const { return sample ? shown.t_us : event.t_us; }
 };
 
 struct LoggedSession {
   std::string uuid, study_uuid, participant, station, language, outcome, started_utc;
+  std::string machine;  // JSON; "width" and "height" of the window in pixels, where there was one
   bool simulated = false, pilot = false;
   int sequence = 0;
   std::uint64_t seed = 0;
   std::vector<LoggedTrial> trials;  // by start; a repeated trial stands once an attempt
   std::vector<LoggedStep> steps;    // in the order of the log
-  std::int64_t last_seq = 0, last_us = 0;
+  std::vector<Answer> answers;      // in the order of the log; what they are about is left out
+  std::int64_t last_seq = 0;
+  std::int64_t last_us = 0;  // of its last row, or until when the program is known to have lived
 };
 
 // Throws InputError when there is no such session, or its rows are damaged.

@@ -6,9 +6,8 @@ namespace promenade::study {
 
 bool Session::Steps::rests() const {
   if (!session.paused()) return false;
-  const auto* gap = std::get_if<Interrupted>(&input.action);
   return std::holds_alternative<Note>(input.action) ||
-         (gap != nullptr && gap->policy == ResumePolicy::continue_);
+         std::holds_alternative<Interrupted>(input.action);
 }
 
 bool Session::Steps::stands() const {
@@ -16,7 +15,7 @@ bool Session::Steps::stands() const {
     using Action = std::decay_t<decltype(action)>;
     return std::is_same_v<Action, Resume> || std::is_same_v<Action, Stop> ||
            std::is_same_v<Action, Skip> || std::is_same_v<Action, Repeat> ||
-           std::is_same_v<Action, Release> || std::is_same_v<Action, Interrupted>;
+           std::is_same_v<Action, Release>;
   };
   return session.paused() && !std::visit(ends_it, input.action);
 }

@@ -22,29 +22,35 @@ struct Session::Steps {
 
   // session_flow.cpp: what leaves the order of the pages
   bool repeat_practice(std::int64_t t_us);  // true: the practice of the block begins again
-  void pass_won_trials();  // leaves out what stands before a trial that its guess has won
-  void leave_trial(std::int64_t t_us);      // to the page behind its questionnaires
+  void pass_won_trials(
+      std::int64_t t_us);  // leaves out what stands before a trial that its guess has won
+  void leave_trial(std::int64_t t_us);  // to the page behind its questionnaires
   void go_to(std::size_t page, std::int64_t t_us);
   void supersede(int trial, std::int64_t t_us);
-  bool guess_wins(int trial) const;
+  bool guess_wins(int trial, std::int64_t t_us) const;
   const InterfaceState* guess_of(int trial) const;  // null: it begins from the average
   void repeat(bool block);
+  bool within_block() const;
 
   // session_trial.cpp: the running trial
   void open_trial(std::int64_t t_us);
   void begin_trial(std::int64_t t_us);
-  void reset_trial(TrialState& trial) const;
+  void reset_trial(TrialState& trial, std::int64_t t_us) const;
   TrialState fresh_trial(int index, std::int64_t t_us) const;
-  enum class Shown { time, control, gesture };  // by time alone; by a control, the first of a gesture
+  enum class Shown {
+    time,
+    control,
+    gesture
+  };  // by time alone; by a control, the first of a gesture
   void show(TrialState& trial, std::int64_t t_us, Shown how);
   void end_trial(std::int64_t t_us, TrialOutcome outcome);
   void pass_deadlines(std::int64_t t_us);
   const Task& task() const;
   bool below_threshold(const TrialState& trial) const;
-  void notice_participant();  // for how long nobody did anything
 
   // One for each action.
   void act(const Tick&);
+  void act(const Wait&);
   void act(const ChooseLanguage& choice);
   void act(const Continue&);
   void act(const Decline&);

@@ -82,7 +82,7 @@ bool Session::Steps::below_threshold(const TrialState& trial) const {
 }
 
 // The state in which the trial begins: the average, or the end of its guess.
-void Session::Steps::reset_trial(TrialState& trial) const {
+void Session::Steps::reset_trial(TrialState& trial, std::int64_t t_us) const {
   const StudyBundle& bundle = *session.bundle_;
   const PlannedTrial& planned = session.plan_.trials[static_cast<std::size_t>(trial.index)];
   trial.touched = false;
@@ -96,7 +96,7 @@ void Session::Steps::reset_trial(TrialState& trial) const {
   if (const InterfaceState* guess = guess_of(trial.index)) {
     trial.interface = guess->clone();
     trial.touched = true;
-    trial.interface->weights(settled_us, trial.weights);
+    trial.interface->weights(trial.control_us(t_us), trial.weights);
     return;
   }
   const InterfaceUse& use = bundle.study.interfaces[static_cast<std::size_t>(planned.interface)];
@@ -118,7 +118,7 @@ TrialState Session::Steps::fresh_trial(int index, std::int64_t t_us) const {
     trial.target_points = motion::distance_points(bundle.space.set, *trial.target, task.distance);
   }
   trial.blend = motion::make_pose_blend(bundle.bank);
-  reset_trial(trial);
+  reset_trial(trial, t_us);
   measure(bundle.bank, task.distance, trial);
   trial.summary.trial = index;
   trial.process.begin(t_us);
@@ -148,20 +148,15 @@ void Session::Steps::open_trial(std::int64_t t_us) {
   leave_trial(t_us);
 }
 
-void Session::Steps::notice_participant() {
-  if (!session.trial_ || input.actor != Actor::participant) return;
-  if (std::holds_alternative<Tick>(input.action)) return;
-  session.trial_->process.input(session.trial_->control_us(input.t_us));
-}
-
 // Shows the weights that the trial has now. A change by time alone (an interface that
 // glides) leaves the dwell time running while D stays below.
 void Session::Steps::show(TrialState& trial, std::int64_t t_us, Shown how) {
   const motion::DistancePoints before = trial.points;
   measure(session.bundle_->bank, task().distance, trial);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
-  trial.process.shown(trial.control_us(t_us), trial.d, motion::distance(before, trial.points).mean_m,
-                      trial.weights, session.bundle_->coverage, how == Shown::gesture);
+  trial.process.shown(trial.control_us(t_us), trial.d,
+                      motion::distance(before, trial.points).mean_m, trial.weights,
+                      session.bundle_->coverage, how == Shown::gesture);
   const bool below = below_threshold(trial);
   if (!below) {
     trial.below_since_us.reset();
@@ -180,7 +175,8 @@ void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
   session.just_ended_.reset();
   if (!task().blind) session.just_ended_ = {index, outcome};
   // An untouched guess is no other start than the average.
-  const bool guessed = task().kind == TaskKind::guess && session.trial_->touched;
+  const bool kept = outcome != TrialOutcome::skipped && outcome != TrialOutcome::aborted;
+  const bool guessed = kept && task().kind == TaskKind::guess && session.trial_->touched;
   if (guessed) session.guesses_[index] = std::move(session.trial_->interface);
   session.outcomes_[index] = outcome;
   session.trial_.reset();
@@ -200,6 +196,7 @@ void Session::Steps::pass_deadlines(std::int64_t t_us) {
               : never;
     if (std::min(won, over) > t_us) return;
     log_system(won <= over ? "won" : "timeout", std::min(won, over));
+    emit_answers();
     end_trial(std::min(won, over), won <= over ? TrialOutcome::success : TrialOutcome::timeout);
     next_page(std::min(won, over));
   }
@@ -213,6 +210,8 @@ void Session::Steps::act(const Tick&) {
   trial.weights.swap(trial.next);
   show(trial, input.t_us, Shown::time);
 }
+
+void Session::Steps::act(const Wait&) {}
 
 void Session::Steps::act(const Press&) {
   Event& event = log("press");
@@ -241,7 +240,7 @@ void Session::Steps::act(const StartOver&) {
   TrialState& trial = *session.trial_;
   end_gesture();
   remember({.kind = "start_over", .target = ""}, std::move(trial.interface), trial.touched);
-  reset_trial(trial);
+  reset_trial(trial, input.t_us);
   show(trial, input.t_us, Shown::gesture);
 }
 
@@ -272,8 +271,7 @@ void Session::Steps::act(const Control& control) {
   const bool shows = !trial.touched || changes;
   trial.touched = true;
   // A drag is one change, however many frames it took.
-  const bool gesture =
-      changes && input.actor == Actor::participant && !trial.history.counted;
+  const bool gesture = changes && input.actor == Actor::participant && !trial.history.counted;
   if (gesture) {
     trial.history.counted = true;
     ++trial.summary.changes;

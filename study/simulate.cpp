@@ -158,8 +158,11 @@ class PlayedSession {
 
   void play() {
     while (!session_.ended()) {
-      if (input_.t_us > longest_session_us) step(0, Stop{"a simulated session never ends"});
-      act(participant_.next(session_));
+      if (input_.t_us > longest_session_us) {
+        step(0, Stop{"a simulated session never ends"});
+      } else {
+        act(participant_.next(session_));
+      }
     }
   }
 
@@ -207,8 +210,8 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
   const LoggedSession log = store.read_session(interrupted.uuid);
   Session session = replay(bundle, registry, log);
   store.resume_session(log, session.plan());
-  PlayedSession played(bundle, registry, session,
-                       Rng(seed, log.seed, "resumed").next(), log.last_us,
+  PlayedSession played(bundle, registry, session, Rng(seed, log.seed, "resumed").next(),
+                       log.last_us,
                        [&store](const std::vector<Record>& step) { store.write(step); });
   played.step(0, Interrupted{gap_us(log, utc_now()), bundle.study.safety.resume});
   played.play();
@@ -217,8 +220,8 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
 
 }  // namespace
 
-Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                     const Plan& plan, std::uint64_t seed) {
+Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry, const Plan& plan,
+                     std::uint64_t seed) {
   Steps steps;
   Session session(bundle, registry, plan);
   PlayedSession(bundle, registry, session, seed, 0, [&steps](std::vector<Record> step) {
@@ -231,8 +234,12 @@ int resume_simulated_sessions(const StudyBundle& bundle, const InterfaceRegistry
                               Store& store, std::uint64_t seed) {
   int done = 0;
   for (const InterruptedSession& one : store.interrupted_sessions(true, false)) {
-    resume_simulated(bundle, registry, store, one, seed);
-    ++done;
+    try {
+      resume_simulated(bundle, registry, store, one, seed);
+      ++done;
+    } catch (const TakenError&) {
+      // Another process goes on with it.
+    }
   }
   return done;
 }

@@ -12,8 +12,8 @@ namespace promenade::study {
 // the mouse button just before. The same arguments give the same records.
 // `Steps`: what each step of the session returned, as the store wants it.
 using Steps = std::vector<std::vector<Record>>;
-Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                     const Plan& plan, std::uint64_t seed);
+Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry, const Plan& plan,
+                     std::uint64_t seed);
 std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
                                      const Plan& plan, std::uint64_t seed);
 

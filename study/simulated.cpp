@@ -215,7 +215,8 @@ Intention SimulatedParticipant::at_trial(const Session& session) {
   trial_.success = std::clamp(1 - now / std::max(trial_.first, 1e-9), 0.0, 1.0);
   if (trial.below_since_us && !trial_.blind) return {300'000, Tick{}};  // it fits: hands off
   const bool has_done =
-      task_of(bundle_->study, session.plan().trials[static_cast<std::size_t>(trial.index)]).has_done;
+      task_of(bundle_->study, session.plan().trials[static_cast<std::size_t>(trial.index)])
+          .has_done;
   const bool impatient = has_done && trial_.spent_s > trial_.patience_s;
   // In find tasks what is good enough comes down with the time spent.
   const double good_enough = 0.25 + 0.5 * trial_.spent_s / trial_.patience_s;

@@ -45,6 +45,7 @@ int open_flags(Database::Mode mode) {
     case Database::Mode::read_write:
       return SQLITE_OPEN_READWRITE;
     case Database::Mode::create:
+    case Database::Mode::memory:
       return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   }
   return SQLITE_OPEN_READONLY;
@@ -73,7 +74,20 @@ std::string resting_uri(const std::string& file) {
   return uri + "?immutable=1";
 }
 
+// What a session that was killed wrote last is in the -wal, and to read that SQLite may have
+// to make a file beside it.
+bool can_read_wal(sqlite3* handle) {
+  const int code = sqlite3_exec(handle, "PRAGMA schema_version", nullptr, nullptr, nullptr) & 0xFF;
+  return code != SQLITE_CANTOPEN && code != SQLITE_READONLY;
+}
+
 }  // namespace
+
+bool DatabaseError::about_content() const {
+  const int code = code_ & 0xFF;
+  return code == SQLITE_CORRUPT || code == SQLITE_NOTADB || code == SQLITE_ERROR ||
+         code == SQLITE_CONSTRAINT;
+}
 
 Database::Database(const std::string& file, Mode mode) : file_(file) {
   std::error_code ignored;
@@ -82,7 +96,8 @@ Database::Database(const std::string& file, Mode mode) : file_(file) {
     fail(file, SQLITE_CANTOPEN, "it is a pipe or device");  // SQLite would wait for it
   }
   const std::string uri = mode == Mode::read_only ? resting_uri(file) : "";
-  const int code = uri.empty() ? sqlite3_open_v2(file.c_str(), &handle_, open_flags(mode), nullptr)
+  const char* place = mode == Mode::memory ? ":memory:" : file.c_str();
+  const int code = uri.empty() ? sqlite3_open_v2(place, &handle_, open_flags(mode), nullptr)
                                : sqlite3_open_v2(uri.c_str(), &handle_,
                                                  open_flags(mode) | SQLITE_OPEN_URI, nullptr);
   if (code != SQLITE_OK) {
@@ -91,12 +106,25 @@ Database::Database(const std::string& file, Mode mode) : file_(file) {
     fail(file, code, message.c_str());
   }
   sqlite3_busy_timeout(handle_, 2000);
+  const std::string wal = file + "-wal";
+  if (mode != Mode::read_only || !std::filesystem::exists(wal, ignored)) return;
+  if (can_read_wal(handle_)) return;
+  sqlite3_close_v2(handle_);
+  throw DatabaseError(SQLITE_CANTOPEN,
+                      file + ": what was written last is in " + wal +
+                          ", which can only be read where files may be made; copy both to a "
+                          "folder that can be written, and name the copy");
 }
 
 Database::~Database() { sqlite3_close_v2(handle_); }
 
 Database::Database(Database&& other) noexcept
     : file_(std::move(other.file_)), handle_(std::exchange(other.handle_, nullptr)) {}
+
+bool Database::is_in_memory() const {
+  const char* place = sqlite3_db_filename(handle_, "main");
+  return place == nullptr || *place == '\0';
+}
 
 void Database::exec(const std::string& sql) {
   char* message = nullptr;
@@ -147,6 +175,11 @@ Statement& Statement::bind_null(int index) {
   return *this;
 }
 
+Statement& Statement::bind_value(int index, const Statement& row, int column) {
+  check(sqlite3_bind_value(handle_, index, sqlite3_column_value(row.handle_, column)));
+  return *this;
+}
+
 bool Statement::step() {
   const int code = sqlite3_step(handle_);
   if (code == SQLITE_ROW) return true;
@@ -165,6 +198,21 @@ void Statement::run() {
 void Statement::reset() { sqlite3_reset(handle_); }
 
 int Statement::columns() const { return sqlite3_column_count(handle_); }
+
+Statement::Type Statement::type(int column) const {
+  switch (sqlite3_column_type(handle_, column)) {
+    case SQLITE_INTEGER:
+      return Type::integer;
+    case SQLITE_FLOAT:
+      return Type::real;
+    case SQLITE_TEXT:
+      return Type::text;
+    case SQLITE_BLOB:
+      return Type::blob;
+    default:
+      return Type::null;
+  }
+}
 
 std::string Statement::column_name(int column) const {
   return sqlite3_column_name(handle_, column);
@@ -200,6 +248,21 @@ Transaction::~Transaction() {
 void Transaction::commit() {
   database_.exec("COMMIT");
   open_ = false;
+}
+
+void backup(Database& from, Database& to) {
+  sqlite3_backup* work = sqlite3_backup_init(to.handle(), "main", from.handle(), "main");
+  int code = work ? sqlite3_backup_step(work, -1) : SQLITE_ERROR;
+  // Locked by another program: wait as long as SQLite does for a statement.
+  for (int tries = 0; (code == SQLITE_BUSY || code == SQLITE_LOCKED) && tries < 400; ++tries) {
+    sqlite3_sleep(5);
+    code = sqlite3_backup_step(work, -1);
+  }
+  if (work) sqlite3_backup_finish(work);
+  if (code == SQLITE_DONE) return;
+  // An error of the side that is read is known by its code only.
+  const bool reading = code == SQLITE_CORRUPT || code == SQLITE_NOTADB;
+  fail(reading ? from.file() : to.file(), code, work ? nullptr : sqlite3_errmsg(to.handle()));
 }
 
 }  // namespace promenade::study

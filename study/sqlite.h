@@ -19,6 +19,7 @@ class DatabaseError : public OutsideError {
  public:
   DatabaseError(int code, const std::string& message) : OutsideError(message), code_(code) {}
   int code() const { return code_; }  // SQLite's result code
+  bool about_content() const;         // of the file, and not the disk, a lock or the rights
 
  private:
   int code_;
@@ -26,7 +27,8 @@ class DatabaseError : public OutsideError {
 
 class Database {
  public:
-  enum class Mode { read_only, read_write, create };
+  // memory: an empty one that is nowhere on the disk, under the name of a file.
+  enum class Mode { read_only, read_write, create, memory };
   Database(const std::string& file, Mode mode);  // ":memory:" in tests
   ~Database();
   Database(Database&& other) noexcept;
@@ -35,6 +37,7 @@ class Database {
 
   void exec(const std::string& sql);  // one or several statements without results
   const std::string& file() const { return file_; }
+  bool is_in_memory() const;
   sqlite3* handle() const { return handle_; }
 
  private:
@@ -62,6 +65,7 @@ class Statement {
   }
   Statement& bind_blob(int index, std::string_view bytes);
   Statement& bind_null(int index);
+  Statement& bind_value(int index, const Statement& row, int column);  // of whatever type
   template <typename T>
   Statement& bind(int index, const std::optional<T>& value) {
     return value ? bind(index, *value) : bind_null(index);
@@ -71,7 +75,10 @@ class Statement {
   void run();   // step to the end and reset, for statements without results
   void reset();
 
+  enum class Type { null, integer, real, text, blob };
+
   int columns() const;
+  Type type(int column) const;
   std::string column_name(int column) const;
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
@@ -98,5 +105,9 @@ class Transaction {
   Database& database_;
   bool open_ = true;
 };
+
+// All of one database into another, over what is there (sqlite3_backup). Inside a transaction
+// of `from` it is as that sees it.
+void backup(Database& from, Database& to);
 
 }  // namespace promenade::study

@@ -4,12 +4,13 @@
 #include <unistd.h>
 
 #include <cassert>
-#include <set>
 
 #include "motion/bytes.h"
+#include "study/assignment.h"
 #include "study/identity.h"
 #include "study/process.h"
 #include "study/store_open.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -36,6 +37,21 @@ void bind_unless_empty(Statement& statement, int index, const T& text) {
 bool holds_order(const Statement& row) {
   return row.text(0) == "finished" ||
          (row.text(0) == "running" && lives(row.integer(1), row.text(2)));
+}
+
+// The versions of the study whose orders are those of the newest (study/amend.h).
+constexpr const char* of_counted_versions =
+    "study IN (WITH RECURSIVE counted(study) AS (SELECT uuid FROM study WHERE study_sha256 = ? "
+    "UNION SELECT previous FROM amendment JOIN counted ON amendment.study = counted.study "
+    "WHERE same_orders = 1) SELECT study FROM counted)";
+
+// The same row, with whether the person's data are to be removed.
+GivenOrder::State state_of(const Statement& row) {
+  using State = GivenOrder::State;
+  const bool running = row.text(0) == "running";
+  if (row.integer(4) != 0 || (!running && row.text(0) != "finished")) return State::gone;
+  if (!running) return State::counts;
+  return holds_order(row) ? State::runs : State::interrupted;
 }
 
 // A file that is closed with its owner; -1: none.
@@ -76,9 +92,12 @@ struct Store::Implementation {
                       "reversals = ?, drags = ?, controls_touched = ?, examples_visited = ?, "
                       "map_coverage = ?, idle_us = ?, camera_moves = ? WHERE uuid = ?"};
   Statement supersede_trial{database, "UPDATE trial SET superseded = 1 WHERE uuid = ?"};
+  Statement set_alive{database, "UPDATE session SET alive_us = ? WHERE uuid = ?"};
+  Statement savepoint{database, "SAVEPOINT step"};
+  Statement release{database, "RELEASE step"};
   Statement insert_event{database, "INSERT INTO event VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?)"};
   Statement insert_sample{database, "INSERT INTO sample VALUES (?,?,?,?,?)"};
-  Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"};
+  Statement insert_answer{database, "INSERT INTO answer VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"};
 
   // The session that runs.
   std::string session;
@@ -89,8 +108,9 @@ struct Store::Implementation {
   bool open = false;    // a transaction
   bool due = false;     // what it holds is to be durable
   FileHandle trace;
-  std::string ended;  // the trial that this step ended
-  int unchecked = 0;    // simulated sessions since the last checkpoint
+  std::vector<std::string> ended;  // trials that this step ended
+  std::int64_t alive_us = 0;
+  int unchecked = 0;  // simulated sessions since the last checkpoint
 
   void say(const std::string& line) const;  // to the trace
   void begin();
@@ -100,8 +120,10 @@ struct Store::Implementation {
   static const std::string& interface_name(const Study& study, const PlannedTrial& trial);
   void bind_trial(Statement& statement, int column, int trial) const;
   std::string participant_uuid(const std::string& code);
+  void refuse_amended();
   void refuse_taken(const SessionHeader& header, int sequence);
 
+  void put_whole(const std::vector<Record>& step);
   void put(const TrialStarted& record);
   void put(const TrialSuperseded& record);
   void put(const Event& record);
@@ -171,13 +193,19 @@ std::string Store::Implementation::participant_uuid(const std::string& code) {
   return uuid;
 }
 
+// Another process may have changed the study since the database was opened.
+void Store::Implementation::refuse_amended() {
+  const std::string problem = study_problem(database, *bundle);
+  if (!problem.empty()) throw OutsideError(database.file() + " " + problem);
+}
+
 // Only inside the transaction that inserts the session: outside, it may be taken after.
 void Store::Implementation::refuse_taken(const SessionHeader& header, int sequence) {
   Statement rows(database,
-                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE "
-                 "simulated = ? AND pilot = ? AND "
-                 "sequence = ?");
-  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence);
+                 std::string("SELECT outcome, process, coalesce(process_start, '') FROM session "
+                             "WHERE simulated = ? AND pilot = ? AND sequence = ? AND ") +
+                     of_counted_versions);
+  rows.bind(1, header.simulated).bind(2, header.pilot).bind(3, sequence).bind(4, bundle->sha256);
   while (rows.step()) {
     if (!holds_order(rows)) continue;
     throw TakenError(TakenError::What::sequence, database.file() + ": order " +
@@ -188,6 +216,25 @@ void Store::Implementation::refuse_taken(const SessionHeader& header, int sequen
   if (!header.new_participant || !known.bind(1, header.participant).step()) return;
   throw TakenError(TakenError::What::code, database.file() + ": the code \"" + header.participant +
                                                "\" is already used; choose another one");
+}
+
+// Or nothing of it.
+void Store::Implementation::put_whole(const std::vector<Record>& step) {
+  savepoint.run();
+  try {
+    for (const Record& record : step) {
+      std::visit([this](const auto& one) { put(one); }, record);
+    }
+  } catch (...) {
+    // A full disk has rolled back all of the transaction already.
+    try {
+      database.exec("ROLLBACK TO step; RELEASE step");
+    } catch (const DatabaseError&) {
+      open = false;
+    }
+    throw;
+  }
+  release.run();
 }
 
 void Store::Implementation::put(const TrialStarted& record) {
@@ -231,15 +278,22 @@ void Store::Implementation::put(const Answer& record) {
   bind_unless_empty(insert_answer, 7, record.text);
   insert_answer.bind(8, record.declined).bind(9, record.touched).bind(10, record.t_us);
   insert_answer.bind(11, when_words[static_cast<std::size_t>(record.when)]);
-  insert_answer.bind(15, record.place);
+  insert_answer.bind(16, record.place);
   const int about = record.trial >= 0 ? record.trial : record.about;
-  for (const int column : {12, 13, 14}) insert_answer.bind_null(column);
+  bind_trial(insert_answer, 12, about);
+  for (const int column : {13, 14, 15}) insert_answer.bind_null(column);
   if (about >= 0) {
+    // A block that is one turn of another loop is about all that stands in it.
+    const Study& study = bundle->study;
     const PlannedTrial& planned = plan.trials[static_cast<std::size_t>(about)];
-    insert_answer.bind(12, planned.block).bind(14, interface_name(bundle->study, planned));
-    // A block is about its interface; it may hold several tasks.
-    const bool of_task = record.when != Questionnaire::When::block;
-    if (of_task) insert_answer.bind(13, task_of(bundle->study, planned).name);
+    const bool block = record.when == Questionnaire::When::block;
+    insert_answer.bind(13, planned.block);
+    if (!block || study.nesting[0] == Factor::task) {
+      insert_answer.bind(14, task_of(study, planned).name);
+    }
+    if (!block || study.nesting[0] == Factor::interface) {
+      insert_answer.bind(15, interface_name(study, planned));
+    }
   }
   insert_answer.run();
 }
@@ -259,7 +313,7 @@ void Store::Implementation::put(const TrialEnded& record) {
   end_trial.bind(17, process.examples_visited).bind(18, process.map_coverage);
   end_trial.bind(19, process.idle_us).bind(20, process.camera_moves);
   end_trial.bind(21, trial_uuid(record.trial)).run();
-  ended = trial_uuid(record.trial);
+  ended.push_back(trial_uuid(record.trial));
   due = true;
 }
 
@@ -285,20 +339,15 @@ int Store::next_sequence(bool simulated, bool pilot) {
 }
 
 std::vector<int> Store::next_sequences(bool simulated, bool pilot, int count) {
-  Statement rows(
-      implementation_->database,
-      "SELECT outcome, process, coalesce(process_start, ''), sequence FROM session "
-      "WHERE simulated = ? AND pilot = ?");
-  rows.bind(1, simulated).bind(2, pilot);
-  std::set<std::int64_t> used;
-  while (rows.step()) {
-    if (holds_order(rows)) used.insert(rows.integer(3));
-  }
-  std::vector<int> free;
-  for (int sequence = 0; static_cast<int>(free.size()) < count; ++sequence) {
-    if (used.count(sequence) == 0) free.push_back(sequence);
-  }
-  return free;
+  Statement rows(implementation_->database,
+                 std::string("SELECT outcome, process, coalesce(process_start, ''), sequence, "
+                             "participant IN (SELECT participant FROM tombstone WHERE removed = "
+                             "'everything') FROM session WHERE simulated = ? AND pilot = ? AND ") +
+                     of_counted_versions);
+  rows.bind(1, simulated).bind(2, pilot).bind(3, implementation_->bundle->sha256);
+  std::vector<GivenOrder> given;
+  while (rows.step()) given.push_back({static_cast<int>(rows.integer(3)), state_of(rows)});
+  return next_orders(given, round_of(implementation_->bundle->study), count);
 }
 
 bool Store::knows_participant(const std::string& code) {
@@ -319,10 +368,12 @@ std::string Store::next_simulated_code() {
   return "S" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
 }
 
-void Store::begin_session(const SessionHeader& header, const Plan& plan) {
+void Store::begin_session(const SessionHeader& header, const Plan& plan,
+                          const std::vector<Record>& first) {
   Implementation& own = *implementation_;
   own.commit();
   Transaction transaction(own.database);
+  own.refuse_amended();
   own.refuse_taken(header, plan.sequence);
   own.session = random_uuid();
   own.plan = plan;
@@ -342,6 +393,8 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan) {
   insert.bind(10, header.pilot).bind(11, std::int64_t{::getpid()}).bind(12, header.machine);
   insert.bind(13, process_start(::getpid())).run();
   study.reset();
+  own.alive_us = 0;
+  own.put_whole(first);
   transaction.commit();
   own.commit_durably();
 }
@@ -350,20 +403,31 @@ void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   Implementation& own = *implementation_;
   own.commit();
   Transaction transaction(own.database);
+  own.refuse_amended();
   Statement row(own.database,
                 "SELECT outcome, process, coalesce(process_start, '') FROM session WHERE uuid = ?");
   if (!row.bind(1, session.uuid).step() || row.text(0) != "running" || holds_order(row)) {
-    throw TakenError(TakenError::What::session,
-                     own.database.file() + ": the session of \"" + session.participant +
-                         "\" is not interrupted any more; start again");
+    throw TakenError(TakenError::What::session, own.database.file() + ": the session of \"" +
+                                                    session.participant +
+                                                    "\" is not interrupted any more; start again");
   }
   row.reset();
+  // Somebody else may have gone on with it, and died, since it was read.
+  Statement last(own.database, "SELECT coalesce(max(seq), 0) FROM event WHERE session = ?");
+  last.bind(1, session.uuid).step();
+  if (last.integer(0) != session.last_seq) {
+    throw TakenError(TakenError::What::session, own.database.file() + ": the session of \"" +
+                                                    session.participant +
+                                                    "\" has gone on meanwhile; start again");
+  }
+  last.reset();
   own.session = session.uuid;
   own.plan = plan;
   own.trials.assign(plan.trials.size(), "");
   for (const LoggedTrial& trial : session.trials) {
-    own.trials[static_cast<std::size_t>(trial.position - 1)] = trial.uuid;  // the latest attempt
+    own.trials.at(static_cast<std::size_t>(trial.position - 1)) = trial.uuid;  // the latest attempt
   }
+  own.alive_us = session.last_us;
   own.seq = session.last_seq;
   own.durable = !session.simulated;
   Statement update(own.database,
@@ -378,7 +442,8 @@ std::vector<InterruptedSession> Store::interrupted_sessions(bool simulated, bool
   Statement rows(implementation_->database,
                  "SELECT session.uuid, participant.code, session.station, session.started_utc, "
                  "process, coalesce(process_start, ''), "
-                 "(SELECT coalesce(max(position), 0) FROM trial WHERE session = session.uuid), "
+                 "(SELECT position FROM trial WHERE session = session.uuid "
+                 "ORDER BY started_us DESC, rowid DESC LIMIT 1), "
                  "(SELECT t_us FROM event WHERE session = session.uuid ORDER BY seq DESC LIMIT 1) "
                  "FROM session JOIN study ON study.uuid = session.study "
                  "JOIN participant ON participant.uuid = session.participant "
@@ -399,7 +464,8 @@ LoggedSession Store::read_session(const std::string& uuid) {
 }
 
 void Store::trace_to(const std::string& file) {
-  implementation_->trace.reset(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
+  implementation_->trace.reset(
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
   if (implementation_->trace.get() < 0) throw OutsideError("cannot write the trace " + file);
 }
 
@@ -407,14 +473,37 @@ void Store::write(const std::vector<Record>& step) {
   if (step.empty()) return;
   Implementation& own = *implementation_;
   own.begin();
-  for (const Record& record : step) {
-    std::visit([&own](const auto& one) { own.put(one); }, record);
-  }
+  own.put_whole(step);
   if (!own.due) return;
   own.due = false;
   own.commit_durably();
-  if (!own.ended.empty()) own.say("trial " + own.ended + "\n");
+  for (const std::string& trial : own.ended) own.say("trial " + trial + "\n");
   own.ended.clear();
+}
+
+bool Store::alive(std::int64_t t_us) {
+  constexpr std::int64_t beat_us = 1'000'000;
+  Implementation& own = *implementation_;
+  if (t_us - own.alive_us < beat_us) return false;
+  own.alive_us = t_us;
+  own.begin();
+  own.set_alive.bind(1, t_us).bind(2, own.session).run();
+  return true;
+}
+
+void Store::write_frames(int trial, const FrameHistogram& frames) {
+  Implementation& own = *implementation_;
+  own.begin();
+  Statement insert(own.database, "INSERT INTO frame_histogram VALUES (?,?,?,?,?)");
+  const auto put = [&](const char* measure, const TimeHistogram& times) {
+    for (const TimeHistogram::Row& row : times.rows()) {
+      insert.bind(1, own.session).bind(3, measure).bind(4, row.least_us).bind(5, row.count);
+      own.bind_trial(insert, 2, trial);
+      insert.run();
+    }
+  };
+  put("interval", frames.interval);
+  put("work", frames.work);
 }
 
 void Store::flush() { implementation_->commit(); }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "study/frame_histogram.h"
 #include "study/session.h"
 #include "study/session_log.h"
 
@@ -55,9 +56,10 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  // The order that the next session gets: the lowest one that nobody of the same kind
-  // (real, pilot, simulated) has finished or is running now. Another process may take
-  // it before begin_session.
+  // The order that the next session gets: the one that is most missing among the sessions of
+  // the same kind (real, pilot, simulated) that count (study/assignment.h), in this version of
+  // the study or in one whose orders are the same (study/amend.h). Another process may take it
+  // before begin_session.
   int next_sequence(bool simulated, bool pilot);
   // The same for the next `count` sessions, if all of them finish.
   std::vector<int> next_sequences(bool simulated, bool pilot, int count);
@@ -76,12 +78,19 @@ class Store {
   void trace_to(const std::string& file);
 
   // Throws TakenError, and stores nothing, when the order of the plan is no longer free,
-  // or the code of a participant who must be new.
-  void begin_session(const SessionHeader& header, const Plan& plan);
+  // or the code of a participant who must be new; OutsideError when the study was amended.
+  // `first` is what the session has returned so far: it is stored with the session or not at all.
+  void begin_session(const SessionHeader& header, const Plan& plan,
+                     const std::vector<Record>& first = {});
   // Goes on with a session that was interrupted; `plan` is the one that it had. Throws
   // TakenError when another process goes on with it already.
   void resume_session(const LoggedSession& session, const Plan& plan);
   void write(const std::vector<Record>& step);
+  // The program lives at this time of the session; put into the transaction once a second, so
+  // that time in which nothing was done is not lost with it. True: this time it was.
+  bool alive(std::int64_t t_us);
+  // How the frames of a trial (an index into Plan::trials; -1: outside) were shown.
+  void write_frames(int trial, const FrameHistogram& frames);
   void flush();
   void end_session(const std::string& ended_utc);
 

@@ -9,9 +9,13 @@
 #include <cstring>
 #include <thread>
 
+#include "motion/files.h"
+#include "study/database_file.h"
 #include "study/identity.h"
+#include "study/migrate.h"
 #include "study/schema.h"
 #include "study/store.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -49,28 +53,6 @@ class FolderLock {
   int handle_;
 };
 
-// The file is there with rights for its owner only before SQLite opens it; its
-// journal gets the same rights. One that is there is not opened: closing it would
-// drop the locks that SQLite holds on it elsewhere in this process.
-// True: it was made here.
-bool make_private_file(const std::string& file) {
-  const int handle = ::open(file.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  if (handle >= 0) {
-    ::close(handle);
-    return true;
-  }
-  if (errno != EEXIST || ::access(file.c_str(), R_OK | W_OK) != 0) {
-    throw OutsideError("cannot write " + file + " (" + std::strerror(errno) +
-                       "); name another place for the database");
-  }
-  return false;
-}
-
-void remove_database(const std::string& file) {
-  std::error_code ignored;
-  for (const char* ending : {"", "-wal", "-shm"}) std::filesystem::remove(file + ending, ignored);
-}
-
 bool has_tables(Database& database) {
   Statement statement(database, "SELECT 1 FROM sqlite_schema WHERE name = 'study'");
   return statement.step();
@@ -90,18 +72,8 @@ bool is_blank(Database& database) {
 }
 
 void refuse_other_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  Statement other(database, "SELECT name FROM study ORDER BY rowid DESC LIMIT 1");
-  if (!other.step()) return;  // killed while it was made
-  const std::string name = other.text(0);
-  throw InputError(database.file(),
-                   name == bundle.study.name
-                       ? "holds the study \"" + name +
-                             "\" as it was before its file, its motions or the texts of the "
-                             "program changed; name a new database for the changed study"
-                       : "holds another study, \"" + name + "\"; name another database for \"" +
-                             bundle.study.name + "\"");
+  const std::string problem = study_problem(database, bundle);
+  if (!problem.empty()) throw InputError(database.file(), problem);
 }
 
 // The uuid of the motion set of a study, which several versions may share.
@@ -112,20 +84,6 @@ std::string put_motion_set(Database& database, const StudyBundle& bundle) {
   Statement known(database, "SELECT uuid FROM motion_set WHERE sha256 = ?");
   known.bind(1, bundle.set_sha256).step();
   return known.text(0);
-}
-
-void put_study(Database& database, const StudyBundle& bundle) {
-  Statement known(database, "SELECT 1 FROM study WHERE study_sha256 = ?");
-  if (known.bind(1, bundle.sha256).step()) return;
-  const std::string uuid = random_uuid();
-  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
-  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
-  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
-  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
-  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
-  for (const StudyPart& one : bundle.parts) {
-    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
-  }
 }
 
 // Reads only: a file that is not ours stays as it is.
@@ -151,17 +109,39 @@ void make_tables(Database& database, const StudyBundle& bundle) {
   transaction.commit();
 }
 
-Database prepared(const std::string& file, const StudyBundle& bundle) {
+Database open_to_write(const std::string& file) {
   Database database(file, Database::Mode::read_write);
   database.exec("PRAGMA journal_mode = WAL");
   database.exec("PRAGMA wal_autocheckpoint = 0");
   database.exec("PRAGMA synchronous = NORMAL");
   database.exec("PRAGMA foreign_keys = ON");
+  database.exec("PRAGMA secure_delete = ON");
+  if (has_tables(database)) migrate_file(database);
+  return database;
+}
+
+Database prepared(const std::string& file, const StudyBundle& bundle) {
+  Database database = open_to_write(file);
   make_tables(database, bundle);
   return database;
 }
 
 }  // namespace
+
+std::string put_study(Database& database, const StudyBundle& bundle) {
+  Statement known(database, "SELECT uuid FROM study WHERE study_sha256 = ?");
+  if (known.bind(1, bundle.sha256).step()) return known.text(0);
+  std::string uuid = random_uuid();
+  Statement study(database, "INSERT INTO study VALUES (?,?,?,?,?,?,?,?)");
+  study.bind(1, uuid).bind(2, bundle.study.name).bind(3, bundle.study.version);
+  study.bind(4, bundle.config_text).bind(5, bundle.sha256).bind(6, program_version());
+  study.bind(7, utc_now()).bind(8, put_motion_set(database, bundle)).run();
+  Statement part(database, "INSERT INTO study_part VALUES (?,?,?)");
+  for (const StudyPart& one : bundle.parts) {
+    part.bind(1, uuid).bind(2, one.path).bind_blob(3, one.content).run();
+  }
+  return uuid;
+}
 
 Database open_store(const std::filesystem::path& path, const StudyBundle& bundle) {
   const std::string file = path.string();
@@ -176,6 +156,13 @@ Database open_store(const std::filesystem::path& path, const StudyBundle& bundle
     if (made) remove_database(file);
     throw;
   }
+}
+
+Database open_existing_store(const std::string& file) {
+  open_log(file);  // says what is wrong with it
+  const FolderLock lock(file);
+  require_writable(file);
+  return open_to_write(file);
 }
 
 void remove_unused_store(const std::filesystem::path& path) {

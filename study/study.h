@@ -37,6 +37,8 @@ struct Target {
   Place place = {};                        // in the study's file
   // Drawn anew for each participant: N weights. Empty: the same for all.
   std::function<Eigen::VectorXd(Rng&)> draw = {};
+  std::string stream = {};   // of the draw: targets of one stream are drawn together
+  double least_start_m = 0;  // of the draw: D at the start is never less, metres
 };
 
 enum class TaskKind {
@@ -177,9 +179,10 @@ struct Study {
   LocalText title, consent;  // own texts of the study
 };
 
-// A file that a study names: ratings, an instrument, targets.
+// A file that a study is made of: one that it names (ratings, an instrument, targets), or one
+// of the program's that it uses.
 struct StudyPart {
-  std::string path;  // as the study says it
+  std::string path;  // as the study says it; "builtin:languages/en.toml" is the program's
   std::string content;
 };
 
@@ -196,6 +199,7 @@ struct StudyBundle {
   std::shared_ptr<const AdjectiveModel> adjectives;
   std::string set_bytes, set_sha256;
   std::vector<StudyPart> parts;  // by path
+  StudyTexts texts;              // of its languages; those that were frozen with it, if it was
   std::vector<Problem> warnings;
 };
 
@@ -204,8 +208,15 @@ struct StudyBundle {
 motion::MotionSet load_motion_set(const std::string& name, const std::string& folder);
 
 // Reads a study and everything that it names. Throws InputError with all problems
-// at once. `file` may also be "configs/demo.toml", which is embedded.
+// at once. `file` may also be "configs/demo.toml", which is embedded, or a packed study
+// (study/pack.h), which is known by its first bytes.
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry);
+
+// What participants of this study read in a language; throws InputError for one that neither
+// the study nor the program knows.
+inline Texts texts_of(const StudyBundle& bundle, std::string_view language) {
+  return texts_in(bundle.texts, language);
+}
 
 // The weights that every interface starts from: the average of the set.
 Eigen::VectorXd start_weights(const motion::MotionSpace& space);

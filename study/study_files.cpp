@@ -10,10 +10,6 @@ const std::string& StudyFiles::read(const std::string& path) {
   return contents_.emplace(path, load_(path, folder_)).first->second;
 }
 
-void StudyFiles::keep(const std::string& path, std::string content) {
-  contents_.insert_or_assign(path, std::move(content));
-}
-
 std::string StudyFiles::full_path(const std::string& path) const {
   return (std::filesystem::path(folder_) / path).string();
 }

@@ -14,8 +14,9 @@ class StudyFiles {
       : folder_(std::move(folder)), load_(std::move(load)) {}
   // `path` as the study says it, from its folder. Throws InputError or OutsideError.
   const std::string& read(const std::string& path);
-  // One of the program's own, which is part of the study all the same.
-  void keep(const std::string& path, std::string content);
+  // One that comes with the program, "instruments/sus.toml": it is part of the study, too,
+  // under the path "builtin:instruments/sus.toml"; of a frozen study it is the frozen one.
+  const std::string& read_builtin(const std::string& path) { return read(builtin_path(path)); }
   std::string full_path(const std::string& path) const;  // for messages
   std::vector<StudyPart> parts() const;                  // by path
 
@@ -28,7 +29,8 @@ class StudyFiles {
 // The instruments that a study names, each read once into Study::instruments.
 class InstrumentShelf {
  public:
-  InstrumentShelf(StudyFiles& files, Study& study) : files_(files), study_(study) {}
+  InstrumentShelf(StudyFiles& files, Study& study, const StudyTexts& texts)
+      : files_(files), study_(study), texts_(texts) {}
   // The one that `key` of the table names: one of the program's, or a file of the study,
   // "mine.toml". Its index; -1 after a problem.
   int find(const TomlTable& table, std::string_view key);
@@ -36,8 +38,10 @@ class InstrumentShelf {
  private:
   int add(Instrument instrument);
   InstrumentFile read_own(const std::string& name);
+  InstrumentFile read_builtin(const std::string& name);
   StudyFiles& files_;
   Study& study_;
+  const StudyTexts& texts_;
   std::map<std::string, int> known_;
 };
 
@@ -47,6 +51,19 @@ struct StudyContext {
   const Study& study;                // what has been read so far
   const motion::MotionSpace* space;  // null: the set could not be read
   InstrumentShelf& instruments;
+  const StudyTexts& texts;
+  StudyFiles& files;
+  const motion::PoseBank* bank;  // of the space
+  // Made when first asked for; null: nobody has rated the motions of this set.
+  std::function<std::shared_ptr<const AdjectiveModel>()> adjectives;
+};
+
+// What targets that are made by lot need to know of their task.
+struct TargetRules {
+  std::string task;  // its name
+  motion::DistanceTimes times = motion::DistanceTimes::time;
+  // D at the start, metres; nothing: as target_draw.h says.
+  std::optional<double> least_start_m;
 };
 
 // The "name" of a table, which goes into names of files and tables of results: up to 80
@@ -69,6 +86,8 @@ LocalText read_languages(const TomlTable& table, const std::string& name,
 void read_study_section(const TomlTable& root, Study& study);
 // The design keys of [study]: orders, nesting, how many people, how long.
 void read_design(const TomlTable& section, Study& study);
+// After the tasks: a planned number of people that leaves orders or lists uneven.
+void warn_of_numbers(const TomlTable& root, const Study& study);
 void read_display(const TomlTable& root, Study& study);
 void read_breaks(const TomlTable& root, Study& study);
 void read_practice(const TomlTable& root, Study& study);
@@ -80,7 +99,11 @@ std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const Interface
 void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bundle);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
-                                 const StudyContext& context);
+                                 const StudyContext& context, const TargetRules& rules);
+// One entry of `targets`, or of `practice`, that stands for several.
+std::vector<Target> read_random_targets(const TomlTable& table, std::string_view key,
+                                        const StudyContext& context, const TargetRules& task);
+std::vector<Target> read_target_file(const TomlTable& table, const StudyContext& context);
 std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
                                    const StudyContext& context);
 // [[rating]] and [[questionnaire]]: after the tasks, of which they speak.

@@ -25,6 +25,19 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
   }
 }
 
+TextMap program_texts(std::string_view language) {
+  const std::string path = "languages/" + std::string(language) + ".toml";
+  const auto content = embedded_file(path);
+  if (!content) {
+    const std::vector<std::string> known = known_languages();
+    throw InputError("language \"" + std::string(language) + "\"",
+                     "there are texts in " + quoted_list(known) + did_you_mean(language, known));
+  }
+  TextMap texts;
+  flatten(parse_toml("configs/" + path, *content), "", texts);
+  return texts;
+}
+
 }  // namespace
 
 const std::string& text_in(const LocalText& text, std::string_view language) {
@@ -72,17 +85,17 @@ std::vector<std::string> Texts::keys() const {
 
 std::vector<std::string> known_languages() { return embedded_names("languages"); }
 
-Texts load_texts(std::string_view language) {
-  const std::string path = "languages/" + std::string(language) + ".toml";
-  const auto content = embedded_file(path);
-  if (!content) {
-    const std::vector<std::string> known = known_languages();
-    throw InputError("language \"" + std::string(language) + "\"",
-                     "there are texts in " + quoted_list(known) + did_you_mean(language, known));
-  }
-  TextMap texts;
-  flatten(parse_toml("configs/" + path, *content), "", texts);
+Texts load_texts(std::string_view language) { return Texts(program_texts(language)); }
+
+Texts load_texts(std::string_view language, const std::string& file, std::string_view own) {
+  TextMap texts = program_texts(language);
+  flatten(parse_toml(file, own), "", texts);
   return Texts(std::move(texts));
+}
+
+Texts texts_in(const StudyTexts& texts, std::string_view language) {
+  const auto found = texts.find(language);
+  return found != texts.end() ? found->second : load_texts(language);
 }
 
 }  // namespace promenade::study

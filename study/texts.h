@@ -36,6 +36,14 @@ class Texts {
 
 // "en", "ja": the embedded file of that language. Throws InputError for others.
 Texts load_texts(std::string_view language);
+// The same under those of `own`, the text of such a file as it was when a study was frozen;
+// `file` names it in problems. What it lacks is the program's.
+Texts load_texts(std::string_view language, const std::string& file, std::string_view own);
 std::vector<std::string> known_languages();
+
+// Of all languages of a study, by language.
+using StudyTexts = std::map<std::string, Texts, std::less<>>;
+// Those of the study, else the program's. Throws InputError for a language unknown to both.
+Texts texts_in(const StudyTexts& texts, std::string_view language);
 
 }  // namespace promenade::study

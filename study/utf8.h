@@ -27,6 +27,24 @@ inline std::string_view first_characters(std::string_view text, int most) {
   return text.substr(0, end);
 }
 
+// The first character, and how many bytes it has; code 0 for what lies beyond the basic
+// plane.
+struct Character {
+  unsigned int code = 0;
+  std::size_t bytes = 1;
+};
+
+inline Character first_character(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned int lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  if (lead < 0xE0) return {(lead & 0x1FU) << 6U | (byte(1) & 0x3FU), 2};
+  if (lead >= 0xF0) return {0, 4};
+  return {(lead & 0x0FU) << 12U | (byte(1) & 0x3FU) << 6U | (byte(2) & 0x3FU), 3};
+}
+
 // `code`: of the basic plane, as Dear ImGui hands characters on.
 inline void append_character(std::string& text, unsigned int code) {
   const auto add = [&text](unsigned int byte) { text += static_cast<char>(byte); };

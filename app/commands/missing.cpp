@@ -4,8 +4,7 @@
 namespace promenade::app {
 
 void add_missing_commands(CLI::App& program) {
-  for (const char* name : {"roster", "pack", "prereg", "amend", "withdraw", "monitor", "export",
-                           "merge", "power", "doctor", "graph"}) {
+  for (const char* name : {"prereg", "monitor", "power", "graph"}) {
     CLI::App* command = program.add_subcommand(name, "(not in this version yet)");
     command->allow_extras();
     command->callback([name] {

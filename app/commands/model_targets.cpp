@@ -1,6 +1,7 @@
 // `promenade model targets`: what every interface can do about the targets of a study.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/commands/model_parts.h"
@@ -8,7 +9,9 @@
 #include "app/commands/rating_source.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "motion/files.h"
 #include "study/reach_models.h"
+#include "study/targets_csv.h"
 
 namespace promenade::app {
 namespace {
@@ -20,6 +23,7 @@ using study::Task;
 struct Arguments {
   std::string study;
   RatingSource ratings, predict;
+  std::string save;
   bool json = false, csv = false;
 };
 
@@ -48,7 +52,7 @@ std::vector<std::string> uses_of(const StudyBundle& bundle, const Task& task,
 std::vector<Row> open_rows(const StudyBundle& bundle, const study::ReachModels& models) {
   std::vector<Row> rows;
   for (const Task& task : bundle.study.tasks) {
-    if (task.kind != study::TaskKind::match) continue;
+    if (!study::has_target_motion(task.kind)) continue;
     const double threshold = study::judged_threshold(bundle.space, task);
     for (const bool practice : {true, false}) {
       for (const Target& target : practice ? task.practice : task.targets) {
@@ -109,7 +113,7 @@ Json targets_json(const std::vector<Row>& rows, const Task& task) {
 Json tasks_json(const StudyBundle& bundle, const std::vector<Row>& rows) {
   Json tasks = Json::array();
   for (const Task& task : bundle.study.tasks) {
-    if (task.kind != study::TaskKind::match) continue;
+    if (!study::has_target_motion(task.kind)) continue;
     tasks.push_back({{"task", task.name},
                      {"distance", task.distance == motion::DistanceTimes::phase ? "phase" : "time"},
                      {"threshold_m", to_json(task.threshold_m)},
@@ -174,9 +178,38 @@ study::ReachModels models_of(const Arguments& given, const StudyBundle& bundle) 
   return study::make_reach_models(bundle, load_rated_set(given.ratings, {}).model);
 }
 
+// The targets that count and are the same for all participants, each name once.
+std::vector<Target> fixed_targets(const StudyBundle& bundle) {
+  std::vector<Target> targets;
+  for (const Task& task : bundle.study.tasks) {
+    for (const Target& target : task.targets) {
+      if (!target.weights) continue;
+      const auto same = std::find_if(targets.begin(), targets.end(), [&](const Target& other) {
+        return other.name == target.name;
+      });
+      if (same == targets.end()) {
+        targets.push_back(target);
+      } else if (*same->weights != *target.weights) {
+        throw InputError(bundle.file, "two tasks have different targets of the name \"" +
+                                          target.name + "\"; a file of targets has it once");
+      }
+    }
+  }
+  return targets;
+}
+
+void save_targets(const StudyBundle& bundle, const std::string& file) {
+  const std::vector<Target> targets = fixed_targets(bundle);
+  if (targets.empty()) {
+    throw InputError(bundle.file, "has no target motion that is the same for all participants");
+  }
+  write_file(file, study::targets_csv(targets, motion::names_of(bundle.space.set)));
+}
+
 void show(const Arguments& given) {
   const StudyBundle bundle = study::load_study(given.study, interfaces());
   print_problems(bundle.warnings);
+  if (!given.save.empty()) return save_targets(bundle, given.save);
   const study::ReachModels models = models_of(given, bundle);
   std::vector<Row> rows = open_rows(bundle, models);
   work_out(models, bundle.file, rows);
@@ -192,7 +225,7 @@ void add_model_targets(CLI::App& model) {
   auto* command = model.add_subcommand(
       "targets", "What all five interfaces can do about the targets of a study");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("study", given->study, "A study file (.toml)")->required();
+  command->add_option("study", given->study, "A study file (.toml or .study)")->required();
   auto* ratings =
       command->add_option("--ratings", given->ratings.name,
                           "DB or CSV behind the adjectives; built-in sets have simulated raters");
@@ -210,6 +243,8 @@ void add_model_targets(CLI::App& model) {
         given->predict.selection.include_simulated = true;
       },
       "DB: simulated participants, too");
+  command->add_option("--save", given->save,
+                      "Writes the targets into this CSV file, for { file = ... }, and no more");
   command->add_flag("--csv", given->csv, "A row for each target and interface");
   command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
   command->callback([given] { show(*given); });

@@ -7,6 +7,7 @@
 #include "app/participant_code.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "app/roster_place.h"
 #include "app/session_window.h"
 #include "motion/did_you_mean.h"
 
@@ -14,7 +15,7 @@ namespace promenade::app {
 namespace {
 
 struct Options {
-  std::string file, database, participant, station = "1", language, trace;
+  std::string file, database, participant, station = "1", language, trace, roster;
   bool has_participant = false;
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;
@@ -48,6 +49,17 @@ void print_result(const SessionResult& result, const std::string& database) {
                   result.frame_median, result.frame_p99, result.work_median, result.work_p99));
 }
 
+// The participant's row, whose code and order the session gets.
+std::optional<study::RosterRow> take_place(const Options& options, SessionSetting& setting) {
+  if (options.roster.empty()) return std::nullopt;
+  if (options.pilot) throw InputError("--roster", "is for sessions that count, not for a --pilot");
+  study::RosterRow row = roster_place({options.roster, setting.participant, setting.station,
+                                       setting.database, setting.autopilot.has_value()});
+  setting.participant = row.code;
+  setting.sequence = row.sequence;
+  return row;
+}
+
 void run(const Options& options) {
   const study::StudyBundle bundle = study::load_study(options.file, interfaces());
   SessionSetting setting{.bundle = bundle,
@@ -60,15 +72,18 @@ void run(const Options& options) {
                          .autopilot = options.autopilot,
                          .trace = options.trace};
   if (setting.database.empty()) setting.database = "results/" + bundle.study.name + ".db";
+  const auto place = take_place(options, setting);
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
+  if (result.copy_problem) print_note("warning: " + *result.copy_problem);
+  if (place && result.recorded) store_place(setting.database, *place, result.outcome);
   if (result.interrupted && !result.recorded) {
     throw OutsideError("interrupted before the session began; nothing is stored, start it again");
   }
   if (result.interrupted) {
     throw OutsideError("interrupted; the session until then is in " + setting.database +
-                       ", start it again to go on or for the next participant");
+                       ", start a new one for the next participant");
   }
   print_result(result, setting.database);
 }
@@ -78,13 +93,15 @@ void run(const Options& options) {
 void add_run_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
   const CLI::Option* code =
       command->add_option("--participant", options->participant,
                           "the participant's code; without it the first page asks");
   command->add_flag("--pilot", options->pilot, "a trial run that does not count");
   command->add_option("--station", options->station, "the name of this place");
+  command->add_option("--roster", options->roster,
+                      "the roster (.csv) that has the participant's code and order");
   command->add_option("--language", options->language, "en or ja; without it the first page asks");
   command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
   command

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "study/copy.h"
 #include "study/identity.h"
 
 namespace promenade::app {
@@ -19,14 +20,14 @@ struct Options {
   int participants = 0;
   std::uint64_t seed = 0;
   int jobs = 0;
+  bool copy = false;
   bool json = false;
 };
 
 int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   study::Store store(options.database, bundle);
   if (!options.trace.empty()) store.trace_to(options.trace);
-  const int resumed =
-      study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
+  const int resumed = study::resume_simulated_sessions(bundle, interfaces(), store, options.seed);
   if (resumed > 0) print_note(fmt::format("went on with {} interrupted sessions", resumed));
   study::Cohort cohort;
   cohort.participants = options.participants;
@@ -55,6 +56,13 @@ int run_cohort(const Options& options, const study::StudyBundle& bundle) {
   }
 }
 
+void renew_copy(const Options& options, const study::StudyBundle& bundle) {
+  if (!options.copy) return;
+  const auto problem =
+      study::second_copy_problem(bundle, options.database, study::SessionHeader().station);
+  if (problem) throw OutsideError(*problem);
+}
+
 void run(const Options& options) {
   const study::StudyBundle bundle = study::load_study(options.file, interfaces());
   print_problems(bundle.warnings);
@@ -63,6 +71,7 @@ void run(const Options& options) {
     throw OutsideError(fmt::format("stopped after {} of {} participants; those are whole in {}",
                                    stored, options.participants, options.database));
   }
+  renew_copy(options, bundle);
   if (options.json) {
     print_json({{"db", options.database}, {"participants", stored}, {"seed", options.seed}});
   } else {
@@ -76,7 +85,7 @@ void add_simulate_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       program.add_subcommand("simulate", "Simulated participants, without a window");
-  command->add_option("study", options->file, "the study file (.toml)")->required();
+  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
   command->add_option("--participants", options->participants, "how many")
       ->required()
       ->check(CLI::Range(1, 1'000'000));
@@ -86,6 +95,8 @@ void add_simulate_command(CLI::App& program) {
   command->add_option("--db", options->database, "the database to make or to add to")->required();
   command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
       ->check(CLI::Range(1, 256));
+  command->add_flag("--copy", options->copy,
+                    "make the second copy that the study asks for ([safety] copy_to), too");
   command->add_flag("--json", options->json, "one JSON document on stdout");
   command->add_option("--trace", options->trace, "what is stored, line by line")->group("");
   command->callback([options] { run(*options); });

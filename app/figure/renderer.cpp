@@ -66,7 +66,11 @@ Eigen::Vector3f shadow_light() { return Eigen::Vector3f(-0.16f, 0.96f, 0.10f).no
 struct FigureRenderer::Objects {
   GlProgram part{part_vertex_shader, part_fragment_shader};
   GlProgram floor{floor_vertex_shader, floor_fragment_shader};
-  GLuint part_array = 0, empty_array = 0, buffer = 0, shadow = make_shadow_texture();
+  GLuint part_array = 0, empty_array = 0, buffer = 0;
+  // One for each ground of a frame: a texture that is still to be drawn from would have to
+  // be waited for before it takes the next shadow.
+  std::vector<GLuint> shadows;
+  std::size_t grounds = 0;   // of this frame
   std::vector<Part> sorted;  // kept, so that a frame allocates nothing
   std::vector<PartQuad> quads;
 };
@@ -85,13 +89,14 @@ FigureRenderer::~FigureRenderer() {
   glDeleteVertexArrays(1, &gl_->empty_array);
   glDeleteVertexArrays(1, &gl_->part_array);
   glDeleteBuffers(1, &gl_->buffer);
-  glDeleteTextures(1, &gl_->shadow);
+  glDeleteTextures(static_cast<GLsizei>(gl_->shadows.size()), gl_->shadows.data());
 }
 
 void FigureRenderer::begin(int width, int height, const Rgb& background) {
   width_ = width;
   height_ = height;
   background_ = background;
+  gl_->grounds = 0;
   glViewport(0, 0, width, height);
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
@@ -111,7 +116,8 @@ void FigureRenderer::draw_ground(const View& view, const Ground& ground, const S
   gl_->floor.set("dashes", ground.dashed ? 18.0f : 0.0f);
   gl_->floor.set("shadow_width", shadow_metres);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, gl_->shadow);
+  if (gl_->grounds == gl_->shadows.size()) gl_->shadows.push_back(make_shadow_texture());
+  glBindTexture(GL_TEXTURE_2D, gl_->shadows[gl_->grounds++]);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, shadow_size, shadow_size, GL_RED, GL_FLOAT,
                   shadow.texels().data());
   scissor(view.clip, height_);

@@ -34,7 +34,7 @@ void draw_resume(const Screen& screen) {
   // The likely answer is filled; Enter is none.
   if (button(ui, "begin_new", ui.layout.box(720, 640, 240, 48), screen.texts("resume.new"),
              ButtonKind::outlined)) {
-    memory.offered.clear();
+    memory.refuses_offers = true;
   }
 }
 

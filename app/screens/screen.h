@@ -35,7 +35,9 @@ struct ScreenMemory {
   bool same_person = false;   // that was answered with yes
   // Sessions that were interrupted here; empty: none, or a new one is to begin.
   std::vector<study::InterruptedSession> offered;
-  std::string resume;         // uuid of the one that is to go on
+  std::string resume;           // uuid of the one that is to go on
+  bool refuses_offers = false;  // none of them is
+  bool resume_differs = false;  // one could not: another version of the program wrote it
   bool wants_start = false;   // the welcome page is left: the code is to be checked
   bool too_early = false;     // the main button was pressed while it could not be
   bool refused = false;       // in this frame

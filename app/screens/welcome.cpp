@@ -3,6 +3,11 @@
 namespace promenade::app {
 namespace {
 
+const char* hint_of(const Screen& screen) {
+  if (screen.memory.code_known) return "welcome.code_known";
+  return screen.memory.resume_differs ? "resume.differs" : "welcome.code_hint";
+}
+
 bool draw_code_field(const Screen& screen, float y) {
   const Ui& ui = screen.ui;
   const Box column = ui.layout.column();
@@ -31,8 +36,7 @@ bool draw_code_field(const Screen& screen, float y) {
   const bool known = screen.memory.code_known;
   draw_text(known ? ui.look.fonts.bold : ui.look.fonts.text,
             {field.x, field.bottom() + ui.layout.size(4), column.width, ui.layout.size(28)},
-            known ? ui.look.palette.text : ui.look.palette.quiet,
-            screen.texts(known ? "welcome.code_known" : "welcome.code_hint"));
+            known ? ui.look.palette.text : ui.look.palette.quiet, screen.texts(hint_of(screen)));
   // Twice by mistake spoils two sessions: somebody has to say that it is none.
   const Box again{field.x, field.bottom() + ui.layout.size(36), ui.layout.size(360),
                   ui.layout.size(44)};

@@ -1,4 +1,4 @@
-// The monotonic clock. Only app/window reads it; everything else is told the time.
+// The monotonic clock. Only app/window and app/doctor read it; everything else is told the time.
 #pragma once
 
 #include <cstdint>

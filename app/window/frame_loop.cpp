@@ -14,10 +14,36 @@
 namespace promenade::app {
 namespace {
 
+constexpr std::int64_t starved_us = 150'000;  // no card draws so long by itself
+
+// Threads that run while nobody else wants to, or like all others. Going back needs a right
+// that not everybody has.
+void schedule_renderer_threads(int policy) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  for (const fs::directory_entry& task : fs::directory_iterator("/proc/self/task", error)) {
+    std::ifstream file(task.path() / "comm");
+    std::string name;
+    std::getline(file, name);
+    if (!name.starts_with("llvmpipe-")) continue;
+    const std::string number = task.path().filename().string();
+    int id = 0;
+    std::from_chars(number.data(), number.data() + number.size(), id);
+    const sched_param usual{};
+    sched_setscheduler(id, policy, &usual);
+  }
+}
+
 void wait_for_card(Window& window) {
   GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
   glFlush();
-  while (glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) window.wait_events(0.0005);
+  std::int64_t patience_us = monotonic_us() + starved_us;
+  while (glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
+    window.wait_events(0.0005);
+    if (monotonic_us() < patience_us) continue;
+    schedule_renderer_threads(SCHED_OTHER);
+    patience_us = INT64_MAX;
+  }
   glDeleteSync(fence);
 }
 
@@ -50,7 +76,10 @@ FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz) {
     const std::int64_t shown_us = monotonic_us();
     const std::int64_t interval_us = last_us > 0 ? shown_us - last_us : period_us;
     const bool late = interval_us > period_us + period_us / 2;
-    hooks.shown(shown_us, late ? interval_us - period_us : 0);
+    hooks.shown({.shown_us = shown_us,
+                 .interval_us = last_us > 0 ? interval_us : 0,
+                 .work_us = shown_us - start_us,
+                 .late_us = late ? interval_us - period_us : 0});
     times.work_us.push_back(shown_us - start_us);
     if (last_us > 0) times.interval_us.push_back(interval_us);
     last_us = shown_us;
@@ -61,20 +90,6 @@ FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz) {
   return times;
 }
 
-void let_renderer_threads_idle() {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  for (const fs::directory_entry& task : fs::directory_iterator("/proc/self/task", error)) {
-    std::ifstream file(task.path() / "comm");
-    std::string name;
-    std::getline(file, name);
-    if (!name.starts_with("llvmpipe-")) continue;
-    const std::string number = task.path().filename().string();
-    int id = 0;
-    std::from_chars(number.data(), number.data() + number.size(), id);
-    const sched_param idle{};
-    sched_setscheduler(id, SCHED_IDLE, &idle);
-  }
-}
+void let_renderer_threads_idle() { schedule_renderer_threads(SCHED_IDLE); }
 
 }  // namespace promenade::app

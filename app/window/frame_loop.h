@@ -7,14 +7,15 @@
 #include <functional>
 #include <vector>
 
+#include "app/window/shown_frame.h"
 #include "app/window/window.h"
 
 namespace promenade::app {
 
 struct FrameHooks {
   std::function<void(std::int64_t now_us)> draw_figures;
-  std::function<void(std::int64_t now_us)> draw_screen;                    // after the poll
-  std::function<void(std::int64_t shown_us, std::int64_t late_us)> shown;  // late: else 0
+  std::function<void(std::int64_t now_us)> draw_screen;  // after the poll
+  std::function<void(const ShownFrame& frame)> shown;
   std::function<bool()> ended;
 };
 
@@ -30,7 +31,8 @@ double quantile_ms(const std::vector<std::int64_t>& times_us, double share);
 // Runs until ended() says so. `hz`: frames a second when the display does not say.
 FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz = 60);
 
-// Software OpenGL works in threads of its own; they must not hold up the input.
+// Software OpenGL works in threads of its own; they must not hold up the input. Where
+// other programs leave them no time at all, run_frames lets them compete again, if it may.
 void let_renderer_threads_idle();
 
 }  // namespace promenade::app

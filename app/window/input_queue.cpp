@@ -102,6 +102,19 @@ bool InputQueue::hand_over(const UiEvent& event, ImGuiIO& io) {
   return false;
 }
 
+void InputQueue::forget_presses() {
+  std::erase_if(waiting_, [](const UiEvent& event) {
+    return event.kind != UiEvent::Kind::move && event.kind != UiEvent::Kind::focus;
+  });
+}
+
+std::optional<UiEvent> InputQueue::take() {
+  if (waiting_.empty()) return std::nullopt;
+  const UiEvent event = waiting_.front();
+  waiting_.pop_front();
+  return event;
+}
+
 void InputQueue::feed(ImGuiIO& io) {
   presses_.clear();
   chord_ = false;

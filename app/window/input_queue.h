@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <optional>
 #include <vector>
 
 struct ImGuiIO;
@@ -37,11 +39,22 @@ class InputQueue {
   // Sets the keys that Dear ImGui's text field needs.
   static void set_up(ImGuiIO& io);
 
-  void push(const UiEvent& event) { waiting_.push_back(event); }
+  void push(const UiEvent& event) {
+    waiting_.push_back(event);
+    if (watcher_) watcher_(event);
+  }
+  // Is told of every event from now on, as it arrives: for measurements.
+  void watch(std::function<void(const UiEvent&)> watcher) { watcher_ = std::move(watcher); }
+
+  // What was done to buttons and keys until now goes nowhere; the pointer stays where it is.
+  void forget_presses();
 
   // Hands events to Dear ImGui, up to and including one change of a button or a
   // key: two in one frame would be lost. Call it before ImGui::NewFrame.
   void feed(ImGuiIO& io);
+
+  // The next event, for who reads them without Dear ImGui; nothing: all were taken.
+  std::optional<UiEvent> take();
 
   // What the last feed handed over, for what the screen does about it.
   std::int64_t t_us() const { return t_us_; }
@@ -62,6 +75,7 @@ class InputQueue {
   bool hand_over(const UiEvent& event, ImGuiIO& io);  // true: enough for this frame
 
   std::deque<UiEvent> waiting_;
+  std::function<void(const UiEvent&)> watcher_;
   std::vector<UiPress> presses_;
   std::int64_t t_us_ = 0, uncertainty_us_ = 0;
   double x_ = -1, y_ = -1;

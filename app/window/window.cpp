@@ -63,6 +63,7 @@ GLFWwindow* open(const WindowOptions& options) {
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_VISIBLE, options.hidden ? GLFW_FALSE : GLFW_TRUE);
   glfwWindowHint(GLFW_FOCUSED, options.shows_only ? GLFW_FALSE : GLFW_TRUE);
   glfwWindowHint(GLFW_FOCUS_ON_SHOW, options.shows_only ? GLFW_FALSE : GLFW_TRUE);
   // Two screens are looked at by turns; none goes away with the pointer.
@@ -167,12 +168,18 @@ void Window::stamp(UiEvent event) {
   queue_.push(event);
 }
 
+void Window::note_gap() const {
+  if (gaps_us_ != nullptr) gaps_us_->push_back(monotonic_us() - last_poll_us_);
+}
+
 void Window::poll() {
+  note_gap();
   glfwPollEvents();
   last_poll_us_ = monotonic_us();
 }
 
 void Window::wait_events(double seconds) {
+  note_gap();
   glfwWaitEventsTimeout(seconds);
   last_poll_us_ = monotonic_us();
 }

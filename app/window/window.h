@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "app/window/input_queue.h"
 
@@ -23,6 +24,7 @@ struct WindowOptions {
   bool windowed = false;           // instead of the whole screen
   int screen = 0;                  // which one, from 1; 0: the first
   bool shows_only = false;         // takes neither mouse nor keyboard
+  bool hidden = false;             // only for its context: see OffScreen
   int width = 1280, height = 720;  // of a windowed one
 };
 
@@ -37,6 +39,9 @@ class Window {
   void poll();                       // takes in what has arrived
   void wait_events(double seconds);  // the same, but first waits for something
   void swap();
+  // From now on each stretch in which nobody asked for events is noted here, microseconds;
+  // null: no longer.
+  void note_gaps(std::vector<std::int64_t>* gaps_us) { gaps_us_ = gaps_us; }
   void use();            // what is drawn now goes to this window
   bool closing() const;  // the person closed it
   void close();
@@ -51,10 +56,12 @@ class Window {
   struct Callbacks;
   void stamp(UiEvent event);
   void measure();
+  void note_gap() const;
 
   GLFWwindow* handle_ = nullptr;
   InputQueue& queue_;
   std::int64_t last_poll_us_ = 0;
+  std::vector<std::int64_t>* gaps_us_ = nullptr;
   int width_ = 0, height_ = 0;
   double pixels_per_unit_ = 1;  // framebuffer pixels in a unit of the window system
   double refresh_hz_ = 0;

@@ -41,6 +41,16 @@ TEST(Log, HoldsSessionsTrialsAndAnswersButNoPractice) {
   EXPECT_EQ(log.answers[0].value, 5);
 }
 
+TEST(Log, LeavesOutWhatWasDoneAgainAndWhatHasNoInterface) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({"P01"}).trial({"labels", "happy"}).trial({"labels", "happy", 8}).trial({"", "sad"});
+  log.database().exec("UPDATE trial SET superseded = 1 WHERE position = 1");
+  const Log read = read_log({folder.file("a.db")});
+  ASSERT_EQ(read.trials.size(), 1u);
+  EXPECT_EQ(read.trials[0].ended_us, 8'000'000);
+}
+
 TEST(Log, JoinsFilesOfOneStudyAndTakesEachSessionOnce) {
   const TestFolder folder;
   { fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0, "a"); }
@@ -57,6 +67,50 @@ TEST(Log, RefusesFilesOfDifferentStudies) {
   { ToyLog a(folder.file("a.db"), "abc"); }
   { ToyLog b(folder.file("b.db"), "def"); }
   EXPECT_TRUE(says(message_of({folder.file("a.db"), folder.file("b.db")}), "another study"));
+}
+
+// Makes "def" the version after "abc" in a database of it.
+void amend(ToyLog& log) {
+  log.database().exec(
+      "INSERT INTO study SELECT 'study-def', name, '2', config_text, 'def', program_version, "
+      "created_utc, motion_set FROM study WHERE uuid = 'study-abc'");
+  log.database().exec(
+      "INSERT INTO amendment(study, previous, reason, amended_utc) VALUES "
+      "('study-def', 'study-abc', 'too long', '2026-11-23T09:00:00Z')");
+}
+
+TEST(Log, CountsTheRowsOfEachVersionOfTheStudy) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P01"}).trial({}).session({"P02", "stopped"});
+    amend(log);
+    log.database().exec("UPDATE session SET study = 'study-def' WHERE outcome = 'stopped'");
+  }
+  const Log log = read_log({folder.file("a.db")});
+  EXPECT_EQ(log.sha256, "def");
+  ASSERT_EQ(log.versions.size(), 2u);
+  EXPECT_EQ(log.versions[0].sessions, 1);
+  EXPECT_EQ(log.versions[0].finished, 1);
+  EXPECT_EQ(log.versions[0].trials, 1);
+  EXPECT_EQ(log.versions[1].reason, "too long");
+  EXPECT_EQ(log.versions[1].sessions, 1);
+  EXPECT_EQ(log.versions[1].finished, 0);
+}
+
+TEST(Log, JoinsFilesWhoseNewestVersionIsTheSame) {
+  const TestFolder folder;
+  for (const char* name : {"a.db", "b.db"}) {
+    ToyLog log(folder.file(name));
+    amend(log);
+  }
+  { ToyLog new_station(folder.file("c.db"), "def"); }
+  { ToyLog behind(folder.file("d.db")); }
+  const Log log = read_log({folder.file("c.db"), folder.file("a.db"), folder.file("b.db")});
+  ASSERT_EQ(log.versions.size(), 2u);
+  EXPECT_EQ(log.versions[1].sha256, "def");
+  EXPECT_EQ(log.versions[1].reason, "too long");
+  EXPECT_TRUE(says(message_of({folder.file("a.db"), folder.file("d.db")}), "another version"));
 }
 
 TEST(Log, NamesEveryFileThatIsNoDatabase) {
@@ -121,7 +175,7 @@ TEST(Log, ReadsDatabasesOfBeforeThereWerePauses) {
   {
     ToyLog log(folder.file("a.db"));
     log.session({}).trial({});
-    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us");
+    log.database().exec("ALTER TABLE trial DROP COLUMN paused_us; PRAGMA user_version = 1");
   }
   const Log log = read_log({folder.file("a.db")});
   ASSERT_EQ(log.trials.size(), 1U);

@@ -96,7 +96,8 @@ class ToyLog {
 
   // About the trial before.
   ToyLog& answer(const std::string& item, double value, bool touched = true) {
-    study::Statement row(database_, "INSERT INTO answer(session, trial, instrument, version, item, value, "
+    study::Statement row(database_,
+                         "INSERT INTO answer(session, trial, instrument, version, item, value, "
                          "declined, touched, t_us) VALUES (?,?,'rating','1',?,?,0,?,?)");
     row.bind(1, prefix_).bind(2, trial_uuid(position_)).bind(3, item).bind(4, value);
     row.bind(5, touched).bind(6, ++answers_).run();

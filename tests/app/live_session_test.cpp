@@ -62,12 +62,48 @@ TEST(LiveSession, WhatHappensIsOnTheDiskOneFrameLater) {
 TEST(LiveSession, AFasterDisplayGathersFifteenMilliseconds) {
   Fixture session;
   session.live.record_as("P1", true);
+  session.live.take(study::Press{}, {.t_us = 2'000'000});
   session.live.flush(2'000'000);
   session.live.take(study::Press{}, {.t_us = 2'007'000});
   session.live.flush(2'007'000);
-  EXPECT_EQ(session.presses(), "0");
-  session.live.flush(2'015'000);
   EXPECT_EQ(session.presses(), "1");
+  session.live.flush(2'015'000);
+  EXPECT_EQ(session.presses(), "2");
+}
+
+// The frames that were handed over, by trial.
+struct Kept {
+  std::vector<std::pair<int, std::int64_t>> frames;
+
+  void follow(LiveSession& live) {
+    live.keep_frames([this](int trial, const study::FrameHistogram& histogram) {
+      frames.emplace_back(trial, histogram.work.count());
+    });
+  }
+};
+
+TEST(LiveSession, FramesAreKeptForEachTrialAndForAllOtherPages) {
+  Fixture session;
+  Kept kept;
+  kept.follow(session.live);
+  session.live.record_as("P1", true);
+  int before = 0;
+  for (; session.live.session().trial() == nullptr; ++before) {
+    session.live.count({.work_us = 9000});
+    session.live.take(study::Continue{}, {.t_us = 2'000'000});
+  }
+  for (int k = 0; k < 5; ++k) session.live.count({.work_us = 9000});
+  session.live.take(study::Stop{"test"}, {.t_us = 3'000'000});
+  EXPECT_EQ(kept.frames, (std::vector<std::pair<int, std::int64_t>>{{0, 5}, {-1, before}}));
+}
+
+TEST(LiveSession, FramesThatCannotBeKeptEndItAsAFullDiskDoes) {
+  Fixture session;
+  session.live.keep_frames(
+      [](int, const study::FrameHistogram&) { throw OutsideError("the disk is full"); });
+  session.live.record_as("P1", true);
+  session.live.take(study::Stop{"test"}, {.t_us = 2'000'000});
+  EXPECT_EQ(session.live.failure(), "the disk is full");
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ PanelBench::PanelBench(const std::string& interface, const motion::MotionSpace& 
                        const study::Parameters& changed, const PanelView& view)
     : space_(space),
       type_(*interfaces().find(interface)),
-      captions_(captions_in(view.language, space.set)),
+      captions_(captions_of(study::load_texts(view.language), space.set)),
       parameters_(with(changed, standard_parameters(type_))),
       prepared_(prepared_model(type_, space, parameters_)),
       content_{space_, captions_, nullptr},

@@ -54,9 +54,10 @@ void SessionBench::walk() {
 }
 
 void SessionBench::frame() {
-  now_us_ += 16'667;
+  constexpr std::int64_t frame_us = 16'667;
+  now_us_ += frame_us;
   view_.frame(now_us_);
-  view_.shown(now_us_ + 8000, 0);
+  view_.shown({.shown_us = now_us_ + 8000, .interval_us = frame_us, .work_us = 8000});
 }
 
 bool SessionBench::play(double minutes, const std::function<bool()>& done) {

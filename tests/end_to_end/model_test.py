@@ -175,8 +175,10 @@ class Model(ProgramTest):
             trials = database.execute("SELECT session, uuid FROM trial WHERE practice = 0 "
                                       "AND target = 'proud'").fetchall()
             for session, trial in trials:
-                database.execute("INSERT INTO answer VALUES (?, ?, 'rate', '1', 'slow-fast', "
-                                 "2, NULL, 0, 1, 0)", (session, trial))
+                database.execute(
+                    "INSERT INTO answer(session, trial, instrument, version, item, value, "
+                    "declined, touched, t_us) VALUES (?, ?, 'rate', '1', 'slow-fast', 2, 0, 1, 0)",
+                    (session, trial))
         self.assertEqual(self.call("model", "adjectives", path).returncode, 2)
         found = self.document("model", "adjectives", path, "--include-simulated")
         self.assertTrue(found["simulated"])

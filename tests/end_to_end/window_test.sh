@@ -125,7 +125,7 @@ a_real_mouse_works_the_first_pages() {
   "$program" run configs/demo.toml --windowed --pilot --station lab --db "$db" &
   running=$!
   xdotool search --sync --onlyvisible --name demo >/dev/null
-  sleep 1
+  sleep 3  # it looks at the machine first
   click 640 280  # English
   click 460 385  # the field for the code
   xdotool type --delay 60 P07
@@ -134,6 +134,8 @@ a_real_mouse_works_the_first_pages() {
   click 860 664  # I agree
   wait_for 20 "$db" "SELECT count(*) FROM event WHERE kind = 'page' AND target = 'instructions'" 1
   expect "language" "en" "$(ask "$db" "SELECT language FROM session")"
+  expect "what the doctor said of this machine" 7 \
+    "$(ask "$db" "SELECT json_array_length(machine, '$.doctor.checks') FROM session")"
   expect "presses" 4 "$(ask "$db" "SELECT count(*) FROM event WHERE kind = 'press'
     AND actor = 'participant' AND uncertainty_us >= 0 AND x > 0")"
   local status=0

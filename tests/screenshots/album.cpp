@@ -1,22 +1,11 @@
 #include "tests/screenshots/album.h"
 
-#include <epoxy/gl.h>
-#include <png.h>
-
 #include <fstream>
 #include <map>
 
 #include "motion/problem.h"
 
 namespace promenade::app::screenshots {
-
-Photograph photograph(int width, int height) {
-  Photograph made{width, height, {}};
-  made.pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, made.pixels.data());
-  return made;
-}
 
 Album::Album(std::filesystem::path folder) : folder_(std::move(folder)) {
   std::error_code error;
@@ -28,17 +17,7 @@ Album::Album(std::filesystem::path folder) : folder_(std::move(folder)) {
 
 void Album::add(const std::string& prefix, const std::string& what, const Photograph& photograph) {
   const std::string file = prefix + "-" + what + ".png";
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  image.width = static_cast<png_uint_32>(photograph.width);
-  image.height = static_cast<png_uint_32>(photograph.height);
-  image.format = PNG_FORMAT_RGB;
-  image.flags = PNG_IMAGE_FLAG_FAST;
-  // A negative step: the first row is the lowest.
-  const int written =
-      png_image_write_to_file(&image, (folder_ / file).c_str(), 0, photograph.pixels.data(),
-                              -3 * photograph.width, nullptr);
-  if (written == 0) throw OutsideError((folder_ / file).string() + ": " + image.message);
+  write_png(folder_ / file, photograph);
   pictures_.push_back({what, file});
 }
 

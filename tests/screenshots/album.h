@@ -1,19 +1,13 @@
-// Photographs, and the folder that they are put into.
+// The folder that photographs are put into.
 #pragma once
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "app/photograph.h"
+
 namespace promenade::app::screenshots {
-
-struct Photograph {
-  int width = 0, height = 0;          // pixels
-  std::vector<unsigned char> pixels;  // RGB, the lowest row first
-};
-
-// What the window shows; needs its context.
-Photograph photograph(int width, int height);
 
 class Album {
  public:

@@ -57,7 +57,7 @@ void Studio::frame(std::int64_t passed_us) {
   now_us_ += passed_us;
   view_.advance(now_us_);
   view_.frame(now_us_);
-  view_.shown(now_us_ + 8000, 0);
+  view_.shown({.shown_us = now_us_ + 8000});
 }
 
 void Studio::pass(double seconds) {

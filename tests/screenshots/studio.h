@@ -31,7 +31,7 @@ class Studio {
   void pass(double seconds);  // lets time pass, in frames that nobody sees
   void press_key(int glfw_key);
   void press_letter(char letter);
-  void press_chord();  // of the experimenter's panel
+  void press_chord();             // of the experimenter's panel
   void take(StudyAction action);  // by the participant, now
   void begin_as(const std::string& code);
   void occupy(const std::string& code);  // by an earlier session of a person

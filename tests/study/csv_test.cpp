@@ -45,6 +45,22 @@ TEST(ACell, IsQuotedWhenItMustBe) {
   EXPECT_EQ(csv_cell("a,\"b\""), "\"a,\"\"b\"\"\"");
 }
 
+TEST(ALine, IsReadBackAsItsCells) {
+  const std::vector<std::string> cells = {"a", "", "b \"c\", d", "two\nlines", "=1+1"};
+  const auto rows = parse_csv(csv_line(cells));
+  ASSERT_EQ(rows.size(), 1u);
+  EXPECT_EQ(rows[0].cells, cells);
+}
+
+TEST(ANumber, IsWrittenWithTheDigitsThatReadItBack) {
+  EXPECT_EQ(csv_number(0.1), "0.1");
+  EXPECT_EQ(csv_number(7), "7");
+  for (const double value :
+       {1.0 / 3, 1e-300, -4503599627370497.5, 5e-324, 1.7976931348623157e308}) {
+    EXPECT_EQ(parse_number(csv_number(value)), value);
+  }
+}
+
 TEST(ANumber, IsReadWhole) {
   EXPECT_EQ(parse_number(" -1.5e-1 "), -0.15);
   EXPECT_EQ(parse_number("+2"), 2);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "study/balance.h"
@@ -121,6 +122,27 @@ TEST(MakePlan, LeavesOutInterfacesThatATaskDoesNotUse) {
     EXPECT_EQ(block_order(plan), std::vector<int>{1});
     EXPECT_EQ(plan.trials.front().block, 1);
   }
+}
+
+// Wherever the loop over the interfaces stands, the design is the same.
+TEST(BalanceOf, CountsOneTurnOfTheInterfacesWhateverTheNesting) {
+  for (const auto& nesting : {std::array{Factor::task, Factor::interface, Factor::target},
+                              std::array{Factor::target, Factor::task, Factor::interface}}) {
+    Study study = study_of(4, Order::williams);
+    study.nesting = nesting;
+    const Balance balance = balance_after(study, 4);
+    EXPECT_TRUE((balance.position.array() == 1).all());
+    EXPECT_TRUE(balance.even);
+  }
+}
+
+TEST(BalanceOf, LeavesRateTasksOut) {
+  Study study = study_of(2, Order::williams);
+  Task rate;
+  rate.kind = TaskKind::rate;
+  rate.targets.resize(2);
+  study.tasks.push_back(rate);
+  EXPECT_TRUE(balance_after(study, 2).even);
 }
 
 TEST(BalanceOf, SeesOrdersThatAreNotEven) {

@@ -44,8 +44,9 @@ class Rated : public ::testing::Test {
   }
   void answer(const std::string& person, const std::string& motion, const std::string& item,
               double value, int t_us = 0, const std::string& instrument = "adjectives") {
-    Statement insert(*database_, "INSERT INTO answer(session, trial, instrument, version, item, value, "
-                                "declined, touched, t_us) VALUES (?,?,?,'1',?,?,0,1,?)");
+    Statement insert(*database_,
+                     "INSERT INTO answer(session, trial, instrument, version, item, value, "
+                     "declined, touched, t_us) VALUES (?,?,?,'1',?,?,0,1,?)");
     insert.bind(1, person).bind(2, person + motion).bind(3, instrument).bind(4, item);
     insert.bind(5, value).bind(6, t_us).run();
   }

@@ -55,6 +55,23 @@ TEST_F(SqliteTest, SaysWhatToDoWhenItMustNotWrite) {
   EXPECT_NE(said.find("allow writing"), std::string::npos) << said;
 }
 
+// As a killed session leaves it, where SQLite cannot make its -shm: on a disk that must not be
+// written, or here because a link to nowhere stands in its place.
+TEST_F(SqliteTest, SaysWhatToDoWhenTheWalCannotBeRead) {
+  Database writer(file_, Database::Mode::create);
+  writer.exec("PRAGMA journal_mode = WAL; CREATE TABLE t(x)");
+  const std::string killed = file_ + ".killed";
+  for (const char* end : {"", "-wal"}) fs::copy_file(file_ + end, killed + end);
+  fs::create_symlink(file_ + ".nowhere", killed + "-shm");
+  const std::string said = failure([&] { Database(killed, Database::Mode::read_only); });
+  EXPECT_NE(said.find("-wal, which can only be read where files may be made; copy both"), said.npos)
+      << said;
+  fs::remove(killed + "-shm");
+  Database reader(killed, Database::Mode::read_only);
+  EXPECT_EQ(failure([&] { Statement(reader, "SELECT x FROM t").step(); }), "");
+  for (const char* end : {"", "-wal", "-shm"}) fs::remove(killed + end);
+}
+
 TEST_F(SqliteTest, SaysWhatToDoWhenItIsNoDatabase) {
   std::ofstream(file_) << std::string(5000, 'x');
   Database database(file_, Database::Mode::read_write);

@@ -161,7 +161,7 @@ TEST_F(StoreTest, GivesTheOrderOfADeclinedSessionAgain) {
   EXPECT_EQ(store.next_sequence(false, false), 0);
 }
 
-TEST_F(StoreTest, GivesTheOrderOfAKilledSessionAgain) {
+TEST_F(StoreTest, KeepsTheNumberOfAKilledSessionForItsResume) {
   const StudyBundle bundle = toy::bundle();
   const pid_t child = ::fork();
   if (child == 0) {
@@ -173,8 +173,28 @@ TEST_F(StoreTest, GivesTheOrderOfAKilledSessionAgain) {
   ::waitpid(child, &status, 0);
   Store store(file(), bundle);
   EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'running'"), 1);
+  // Its order is missing all the same: 2 has it too.
+  EXPECT_EQ(store.next_sequences(false, false, 2), (std::vector<int>{1, 2}));
+}
+
+TEST_F(StoreTest, FillsTheOrderThatIsMissingMost) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  for (const int sequence : {0, 2, 3, 4}) {
+    log_session(store, bundle, header("P0" + std::to_string(sequence)), sequence);
+  }
+  EXPECT_EQ(store.next_sequences(false, false, 3), (std::vector<int>{1, 5, 6}));
+}
+
+TEST_F(StoreTest, GivesTheOrderOfAWithdrawnPersonAgain) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  log_session(store, bundle, header("P01"), 0);
+  Database(file(), Database::Mode::read_write)
+      .exec("INSERT INTO tombstone SELECT uuid, '2026-11-22T18:00:00Z', 'link' FROM participant");
+  EXPECT_EQ(store.next_sequence(false, false), 1);  // the data stay
+  Database(file(), Database::Mode::read_write).exec("UPDATE tombstone SET removed = 'everything'");
   EXPECT_EQ(store.next_sequence(false, false), 0);
-  store.begin_session(header("P02"), make_plan(bundle.study, 0));
 }
 
 // What another process would be.
@@ -294,7 +314,8 @@ void die_after(const std::string& file, const StudyBundle& bundle, int steps) {
   for (std::int64_t t = 1; t <= steps; ++t) {
     const std::size_t before = player.records.size();
     work(player, t);
-    store.write({player.records.begin() + static_cast<std::ptrdiff_t>(before), player.records.end()});
+    store.write(
+        {player.records.begin() + static_cast<std::ptrdiff_t>(before), player.records.end()});
     if (t < steps) store.flush();
   }
   ::kill(::getpid(), SIGKILL);

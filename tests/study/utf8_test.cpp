@@ -16,6 +16,15 @@ TEST(Utf8, CutsBetweenCharacters) {
   EXPECT_EQ(first_characters("歩く人", 0), "");
 }
 
+TEST(Utf8, ReadsCharactersOfTheBasicPlane) {
+  for (const auto& [text, code] : {std::pair{"a", 0x61U}, {"é", 0xE9U}, {"歩", 0x6B69U}}) {
+    EXPECT_EQ(first_character(text).code, code);
+    EXPECT_EQ(first_character(text).bytes, std::string_view(text).size());
+  }
+  EXPECT_EQ(first_character("😀").code, 0U);
+  EXPECT_EQ(first_character("😀").bytes, 4U);
+}
+
 TEST(Utf8, WritesWhatItDrops) {
   std::string text = "x";
   for (const unsigned int code : {0x61U, 0xE9U, 0x6B69U}) append_character(text, code);

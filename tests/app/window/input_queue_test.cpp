@@ -57,6 +57,25 @@ TEST_F(InputQueueTest, APressKeepsItsTimeAndPlace) {
   EXPECT_TRUE(queue.presses().empty());
 }
 
+TEST_F(InputQueueTest, WhatIsForgottenMovedThePointerAllTheSame) {
+  push(UiEvent::Kind::move, 10);
+  push(UiEvent::Kind::button, 12, true);
+  push(UiEvent::Kind::key, 14, true);
+  queue.forget_presses();
+  queue.feed(io());
+  EXPECT_TRUE(queue.presses().empty());
+  EXPECT_TRUE(queue.empty());
+  EXPECT_EQ(io().MousePos.x, 5);
+}
+
+TEST_F(InputQueueTest, AWatcherHearsOfEachEventAsItArrives) {
+  std::vector<std::int64_t> heard;
+  queue.watch([&](const UiEvent& event) { heard.push_back(event.t_us); });
+  push(UiEvent::Kind::move, 10);
+  push(UiEvent::Kind::button, 12, true);
+  EXPECT_EQ(heard, (std::vector<std::int64_t>{10, 12}));
+}
+
 TEST_F(InputQueueTest, LosingTheFocusLetsEverythingGo) {
   push(UiEvent::Kind::button, 10, true);
   queue.feed(io());
