@@ -131,9 +131,10 @@ void draw_instructions(const Screen& screen) {
   draw_words(screen);
   draw_stage(screen);
   draw_picture(screen);
+  const bool rated = planned_trial(screen).interface < 0;
   const Box below = ui.layout.box(848, 644, 200, 56);
   draw_paragraphs(ui.look.fonts.text, below.x, below.y, below.width, ui.look.palette.quiet,
-                  screen.texts("instructions.controls"));
+                  screen.texts(rated ? "instructions.questions" : "instructions.controls"));
   const std::string& label =
       screen.texts(planned_trial(screen).practice ? "button.practice" : "button.start");
   if (main_button(screen, {{}, {}, label}, ui.layout.box(1064, 648, 200, 48), true)) {

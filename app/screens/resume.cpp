@@ -7,10 +7,9 @@ constexpr std::size_t most_offers = 5;
 
 std::string label_of(const Screen& screen, const study::InterruptedSession& session) {
   const char* key = session.trial > 0 ? "resume.at_task" : "resume.at_beginning";
-  return screen.texts.with(
-      key, {{"code", session.participant},
-            {"number", std::to_string(session.trial)},
-            {"count", std::to_string(screen.session.plan().trials.size())}});
+  return screen.texts.with(key, {{"code", session.participant},
+                                 {"number", std::to_string(session.trial)},
+                                 {"count", std::to_string(screen.session.plan().trials.size())}});
 }
 
 }  // namespace
@@ -19,14 +18,8 @@ std::string label_of(const Screen& screen, const study::InterruptedSession& sess
 void draw_resume(const Screen& screen) {
   const Ui& ui = screen.ui;
   ScreenMemory& memory = screen.memory;
-  bool pressed = false;
-  const float below = draw_text_page(screen,
-                                     {.title = screen.texts("resume.title"),
-                                      .text = screen.texts("resume.text"),
-                                      .button = screen.texts("resume.new"),
-                                      .target = "begin_new",
-                                      .by_enter = false},
-                                     true, pressed);
+  const float below =
+      draw_text_column(screen, screen.texts("resume.title"), screen.texts("resume.text"));
   const Box column = ui.layout.column();
   float y = below + ui.layout.size(32);
   for (std::size_t i = 0; i < std::min(most_offers, memory.offered.size()); ++i) {
@@ -38,7 +31,11 @@ void draw_resume(const Screen& screen) {
     }
     y += ui.layout.size(68);
   }
-  if (pressed) memory.refuses_offers = true;
+  // The likely answer is filled; Enter is none.
+  if (button(ui, "begin_new", ui.layout.box(720, 640, 240, 48), screen.texts("resume.new"),
+             ButtonKind::outlined)) {
+    memory.refuses_offers = true;
+  }
 }
 
 }  // namespace promenade::app

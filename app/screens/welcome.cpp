@@ -34,14 +34,14 @@ bool draw_code_field(const Screen& screen, float y) {
   ImGui::PopFont();
   frame(field, ui.look.palette.quiet, ui.layout.size(1));
   const bool known = screen.memory.code_known;
-  draw_text(ui.look.fonts.text,
+  draw_text(known ? ui.look.fonts.bold : ui.look.fonts.text,
             {field.x, field.bottom() + ui.layout.size(4), column.width, ui.layout.size(28)},
-            ui.look.palette.quiet, screen.texts(hint_of(screen)));
+            known ? ui.look.palette.text : ui.look.palette.quiet, screen.texts(hint_of(screen)));
   // Twice by mistake spoils two sessions: somebody has to say that it is none.
   const Box again{field.x, field.bottom() + ui.layout.size(36), ui.layout.size(360),
                   ui.layout.size(44)};
-  if (known && button(ui, "same_person", again, screen.texts("welcome.again"),
-                      ButtonKind::outlined)) {
+  if (known &&
+      button(ui, "same_person", again, screen.texts("welcome.again"), ButtonKind::outlined)) {
     screen.memory.same_person = screen.memory.wants_start = true;
   }
   return entered;

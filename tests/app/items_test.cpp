@@ -105,6 +105,19 @@ TEST_F(Questions, TheEscapeKeyTakesNothingBackThatWasWritten) {
   EXPECT_TRUE(bench_->session().paused());
 }
 
+TEST_F(Questions, WhatIsBeingWrittenOutlivesTheExperimentersPanel) {
+  open(item("text", ""));
+  ASSERT_TRUE(tab_to("type", "words:i0"));
+  bench_->type("half a sen");
+  bench_->chord();
+  bench_->click("experimenter:back");
+  EXPECT_EQ(answer().text, "half a sen");
+  bench_->click_on("type", "words:i0");
+  bench_->type("tence");
+  rest();
+  EXPECT_EQ(answer().text, "half a sentence");
+}
+
 TEST_F(Questions, ALongTextIsBrokenIntoLinesAndStoredWithoutThem) {
   open(item("text", ""));
   ASSERT_TRUE(tab_to("type", "words:i0"));

@@ -214,7 +214,7 @@ void to_trial_of_guess(Studio& studio) {
 // The same code a second time.
 void to_known_code(Studio& studio) {
   studio.occupy("P07");
-  studio.pass(0.1);  // the field takes the keyboard
+  for (int k = 0; k < 3; ++k) studio.pass(0.02);  // the field takes the keyboard
   for (const char letter : std::string("P07")) studio.press_letter(letter);
   studio.press_key(GLFW_KEY_ENTER);
 }

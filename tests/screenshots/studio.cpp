@@ -107,7 +107,7 @@ void Studio::begin_as(const std::string& code) {
 }
 
 void Studio::play(int inputs) {
-  if (session().trial() == nullptr) return;
+  if (session().trial() == nullptr || planned().interface < 0) return;
   const study::InterfaceUse& use =
       bundle_.study.interfaces[static_cast<std::size_t>(planned().interface)];
   const study::InterfaceType& type = *interfaces().find(use.type);
