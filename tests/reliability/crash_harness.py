@@ -108,7 +108,7 @@ class Group:
         process = subprocess.Popen(list(map(str, self.command(fifo))),
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         # Now and then before anything is stored; else within the work.
-        longest = 0.6 if self.kind == "simulate" else 8.0
+        longest = 0.6 if self.kind == "simulate" else 30.0
         if self.rng.random() > 0.1:
             trace.first_line.wait(timeout=120)
         time.sleep(self.rng.uniform(0, longest))
