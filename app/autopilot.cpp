@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/item_targets.h"
+#include "study/lines.h"
 #include "study/utf8.h"
 
 namespace promenade::app {
@@ -65,16 +66,6 @@ void Autopilot::act(std::int64_t now_us, const study::Session& session, const Wi
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
-}
-
 // The button that says it alone; empty: there is none.
 std::string button_of(const Action& action) {
   if (const auto* choice = std::get_if<study::ChooseLanguage>(&action)) {
@@ -106,7 +97,7 @@ Autopilot::Errands Autopilot::errands_to(const study::Item& item, const study::S
       return {{.kind = "type", .target = words_target(name), .text = set.text}};
     case ItemKind::ranking: {
       Errands errands;
-      for (const std::string& option : lines_of(set.text)) {
+      for (const std::string& option : study::lines_of(set.text)) {
         errands.push_back({"press", rank_target(name, option)});
       }
       return errands;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "study/lines.h"
 #include "study/session_steps.h"
 
 namespace promenade::study {
@@ -11,15 +12,13 @@ using When = Questionnaire::When;
 
 // A ranking is one row for each place.
 void add_ranks(const Answer& whole, const std::string& names, std::vector<Record>& records) {
-  std::size_t from = 0;
-  for (int rank = 1; from < names.size(); ++rank) {
-    const std::size_t end = std::min(names.find('\n', from), names.size());
+  int rank = 0;
+  for (const std::string& name : lines_of(names)) {
     Answer one = whole;
-    one.item += ":" + names.substr(from, end - from);
-    one.value = rank;
+    one.item += ":" + name;
+    one.value = ++rank;
     one.text.clear();
     records.emplace_back(std::move(one));
-    from = end + 1;
   }
 }
 

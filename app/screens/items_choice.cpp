@@ -4,6 +4,7 @@
 
 #include "app/line_breaks.h"
 #include "app/screens/items.h"
+#include "study/lines.h"
 
 namespace promenade::app {
 namespace {
@@ -99,21 +100,11 @@ void put_choice(Pen& pen, const study::Item& item, const study::ItemAnswer& answ
 
 namespace {
 
-std::vector<std::string> lines_of(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return lines;
-}
-
 // The order so far; one that is not complete is no answer yet.
 std::vector<std::string>& order_of(const Screen& screen, const study::Item& item,
                                    const study::ItemAnswer& answer) {
   std::vector<std::string>& order = screen.memory.orders[item.name];
-  if (!answer.text.empty()) order = lines_of(answer.text);
+  if (!answer.text.empty()) order = study::lines_of(answer.text);
   if (answer.declined) order.clear();
   return order;
 }
