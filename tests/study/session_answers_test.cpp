@@ -1,6 +1,7 @@
 // Questionnaires in a session: what is taken, what is stored, and about what.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "play.h"
@@ -108,6 +109,23 @@ TEST(Questions, AreShuffledAnewForEachPersonAndKeepTheirPlaces) {
     orders.insert(player.session.item_order());
   }
   EXPECT_GT(orders.size(), 1U);
+}
+
+TEST(RateTrial, KeepsItsAnswersWhenTheTimeIsOver) {
+  const StudyBundle bundle = toy::bundle(
+      "[study]\nname = 'rated'\n[[task]]\nname = 'judge'\nkind = 'rate'\ninstrument = "
+      "'impression'\nlimit_s = 5\ntargets = [{example = 'far'}]\n");
+  Player player(bundle);
+  player.to_trial(0);
+  const Item& item = player.session.questions()->items[0];
+  player.at(1'000'000, SetAnswer{item.name, item.most});
+  player.at(9'000'000, Tick{});
+  EXPECT_EQ(player.all<TrialEnded>().at(0).outcome, TrialOutcome::timeout);
+  const std::vector<Answer> answers = player.all<Answer>();
+  ASSERT_EQ(answers.size(), 4U);
+  EXPECT_EQ(std::count_if(answers.begin(), answers.end(),
+                          [](const Answer& answer) { return answer.touched; }),
+            1);
 }
 
 TEST(RateTrial, AsksItsInstrumentInPlaceOfAnInterface) {
