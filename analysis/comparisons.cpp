@@ -1,8 +1,8 @@
 #include "analysis/comparisons.h"
 
-#include "analysis/differences.h"
 #include "analysis/item.h"
-#include "analysis/p_adjust.h"
+#include "analysis/statistics/differences.h"
+#include "analysis/statistics/p_adjust.h"
 
 namespace promenade::analysis {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "analysis/dataset.h"
-#include "analysis/hodges_lehmann.h"
 #include "analysis/progress.h"
-#include "analysis/wilcoxon.h"
+#include "analysis/statistics/hodges_lehmann.h"
+#include "analysis/statistics/wilcoxon.h"
 
 namespace promenade::analysis {
 

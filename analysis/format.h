@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/dataset.h"
-#include "analysis/interval.h"
+#include "analysis/statistics/interval.h"
 
 namespace promenade::analysis {
 

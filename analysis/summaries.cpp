@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "analysis/item.h"
-#include "analysis/median.h"
-#include "analysis/proportion.h"
+#include "analysis/statistics/median.h"
+#include "analysis/statistics/proportion.h"
 
 namespace promenade::analysis {
 namespace {

@@ -1,6 +1,6 @@
 #include "app/document.h"
 
-#include "analysis/html.h"
+#include "analysis/report/html.h"
 
 namespace promenade::app {
 namespace {

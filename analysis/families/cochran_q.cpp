@@ -1,4 +1,4 @@
-#include "analysis/cochran_q.h"
+#include "analysis/statistics/cochran_q.h"
 
 #include "analysis/families/family.h"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/interval.h"
+#include "analysis/statistics/interval.h"
 
 namespace promenade::analysis::families {
 

@@ -1,4 +1,4 @@
-#include "analysis/hodges_lehmann.h"
+#include "analysis/statistics/hodges_lehmann.h"
 
 #include "analysis/families/family.h"
 

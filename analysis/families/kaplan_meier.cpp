@@ -1,4 +1,4 @@
-#include "analysis/kaplan_meier.h"
+#include "analysis/statistics/kaplan_meier.h"
 
 #include "analysis/families/family.h"
 

@@ -1,4 +1,4 @@
-#include "analysis/mcnemar.h"
+#include "analysis/statistics/mcnemar.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "analysis/p_adjust.h"
+#include "analysis/statistics/p_adjust.h"
 
 #include "analysis/families/family.h"
 

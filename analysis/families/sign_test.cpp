@@ -1,4 +1,4 @@
-#include "analysis/sign_test.h"
+#include "analysis/statistics/sign_test.h"
 
 #include "analysis/families/family.h"
 

@@ -1,10 +1,10 @@
-#include "analysis/wilcoxon.h"
+#include "analysis/statistics/wilcoxon.h"
 
 #include <algorithm>
 
-#include "analysis/differences.h"
 #include "analysis/families/family.h"
-#include "analysis/hodges_lehmann.h"
+#include "analysis/statistics/differences.h"
+#include "analysis/statistics/hodges_lehmann.h"
 
 namespace promenade::analysis::families {
 namespace {

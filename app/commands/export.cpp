@@ -1,4 +1,4 @@
-#include "analysis/export.h"
+#include "analysis/export/export.h"
 
 #include <cstdio>
 #include <memory>

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "analysis/map_picture.h"
+#include "analysis/pictures/map_picture.h"
 #include "app/commands/model_parts.h"
 #include "app/commands/numbers.h"
 #include "app/print.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <set>
 
-#include "analysis/cycle_picture.h"
+#include "analysis/pictures/cycle_picture.h"
 #include "app/commands.h"
 #include "app/commands/set_report.h"
 #include "app/print.h"

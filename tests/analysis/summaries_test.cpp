@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "analysis/median.h"
+#include "analysis/statistics/median.h"
 
 namespace promenade::analysis {
 namespace {

@@ -1,0 +1,31 @@
+// Questionnaires as they were filled in: which answers were given together, and what they
+// score.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/export/export_parts.h"
+
+namespace promenade::analysis {
+
+// One instrument, filled in once; of what was answered twice the last counts.
+struct FilledPage {
+  int person = 0;  // index into Dataset::people
+  std::string instrument, version;
+  std::string asked;                    // start, trial, task, block or end; empty: not known
+  std::string task, interface, target;  // what it is about; empty: none alone
+  std::map<std::string, study::ItemAnswer> answers;  // by item; one place of a ranking
+                                                     // is the item "NAME:CHOICE"
+};
+
+// Those of the sessions that count, without what is about practice or was done again.
+std::vector<FilledPage> filled_pages(const ExportSource& source);
+
+// Nothing where an item that it needs is missing.
+std::optional<double> score_of_page(const FilledPage& page, const study::Instrument& instrument,
+                                    const study::Score& score);
+
+}  // namespace promenade::analysis

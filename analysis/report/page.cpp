@@ -1,0 +1,23 @@
+#include "analysis/report/page.h"
+
+#include "analysis/report/page_parts.h"
+
+namespace promenade::analysis {
+
+std::string report_page(const Results& results, const std::vector<DrawnFigure>& figures) {
+  Html head = trusted("<meta charset=\"utf-8\"/>\n") +
+              empty_element("meta", {{"name", "viewport"},
+                                     {"content", "width=device-width, initial-scale=1"}}) +
+              element("title", results.log.study + " — Promenade report") +
+              element("style", trusted(page_css()));
+  Html body = stripe(results);
+  body += element("main", headline(results) + flow_bar(results.selection) + panels(results) +
+                              buttons(results, figures) + figure_section(figures) +
+                              table_sections(results) + method_section(results) +
+                              provenance_section(results));
+  return "<!DOCTYPE html>\n" +
+         element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
+         "\n";
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,21 @@
+// report.html: one file without scripts and outside resources, readable in grey
+// print on A4. The first page says what came out; tables, method and provenance
+// follow.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/report/figures.h"
+#include "analysis/results.h"
+
+namespace promenade::analysis {
+
+struct DrawnFigure {
+  Figure figure;
+  std::string svg;  // bytes of the file
+};
+
+std::string report_page(const Results& results, const std::vector<DrawnFigure>& figures);
+
+}  // namespace promenade::analysis

@@ -1,0 +1,211 @@
+#include "analysis/report/tables.h"
+
+#include <cmath>
+
+#include "analysis/format.h"
+#include "analysis/item.h"
+#include "study/csv.h"
+
+namespace promenade::analysis {
+namespace {
+
+Cell cell(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Cell(*value) : Cell();
+}
+Cell cell(int value) { return std::int64_t{value}; }
+Cell cell(bool value) { return std::int64_t{value ? 1 : 0}; }
+Cell cell(const std::string& text) { return text; }
+
+Cell target_name(const Dataset& data, int task, int target) {
+  if (target < 0) return {};
+  return item(item(data.tasks, task).targets, target);
+}
+
+Cell lower(const std::optional<LocationInterval>& ci) {
+  return ci ? Cell(ci->interval.lower) : Cell();
+}
+Cell upper(const std::optional<LocationInterval>& ci) {
+  return ci ? Cell(ci->interval.upper) : Cell();
+}
+
+Table comparison_table(const Results& results) {
+  const Dataset& data = results.data;
+  Table table{"comparisons",
+              "Every pair of interfaces (differences are a − b) by the signed-rank test.",
+              {"measure",     "unit",        "task",          "target", "pooling",       "a",
+               "b",           "n",           "n_missing",     "n_zero", "W_plus",        "W_minus",
+               "p_exact_two", "p_asym_two",  "p_asym_cc_two", "p_holm", "rank_biserial", "hl",
+               "hl_ci_lower", "hl_ci_upper", "hl_ci_level"},
+              {}};
+  for (const Comparison& one : results.comparisons) {
+    const SignedRankTest& test = one.test;
+    const bool any = test.n > 0;
+    table.rows.push_back({cell(item(data.measures, one.measure).name),
+                          cell(item(data.measures, one.measure).unit),
+                          cell(item(data.tasks, one.task).name),
+                          target_name(data, one.task, one.target),
+                          cell(to_text(one.pooling)),
+                          cell(item(data.interfaces, one.a)),
+                          cell(item(data.interfaces, one.b)),
+                          cell(test.n),
+                          cell(one.missing),
+                          cell(test.n_zero),
+                          Cell(test.w_plus),
+                          Cell(test.w_minus),
+                          any && test.exact ? Cell(test.exact->two) : Cell(),
+                          test.normal ? Cell(test.normal->two) : Cell(),
+                          test.normal_corrected ? Cell(test.normal_corrected->two) : Cell(),
+                          cell(one.p_holm),
+                          cell(test.rank_biserial),
+                          cell(one.hl),
+                          lower(one.hl_ci),
+                          upper(one.hl_ci),
+                          one.hl_ci ? Cell(one.hl_ci->level) : Cell()});
+  }
+  return table;
+}
+
+Table failure_table(const Results& results) {
+  const Dataset& data = results.data;
+  Table table{"failures",
+              "Failed trials per interface and task with the 95 % Wilson interval.",
+              {"task", "target", "interface", "trials", "failed", "timeouts", "ratio",
+               "wilson_lower", "wilson_upper"},
+              {}};
+  for (const FailureRatio& one : results.failures) {
+    table.rows.push_back(
+        {cell(item(data.tasks, one.task).name), target_name(data, one.task, one.target),
+         cell(item(data.interfaces, one.interface)), cell(one.trials), cell(one.failed),
+         cell(one.timeouts), Cell(static_cast<double>(one.failed) / one.trials),
+         Cell(one.wilson.lower), Cell(one.wilson.upper)});
+  }
+  return table;
+}
+
+Table summary_table(const Results& results) {
+  const Dataset& data = results.data;
+  Table table{"summaries",
+              "Each interface by itself; one value per participant, the mean over targets.",
+              {"measure", "unit", "task", "interface", "n", "mean", "sd", "median",
+               "median_ci_lower", "median_ci_upper"},
+              {}};
+  for (const Summary& one : results.summaries) {
+    const auto& ci = one.median_ci;
+    table.rows.push_back(
+        {cell(item(data.measures, one.measure).name), cell(item(data.measures, one.measure).unit),
+         cell(item(data.tasks, one.task).name), cell(item(data.interfaces, one.interface)),
+         cell(one.n), cell(one.mean), cell(one.sd), cell(one.median), ci ? Cell(ci->lower) : Cell(),
+         ci ? Cell(ci->upper) : Cell()});
+  }
+  return table;
+}
+
+Table participant_table(const Results& results) {
+  Table table{"participants",
+              "Everyone who began, and what became of them.",
+              {"participant", "status", "reason", "simulated", "pilot"},
+              {}};
+  for (const Person& person : results.selection.people) {
+    table.rows.push_back({cell(person.code), cell(to_text(person.disposition)), cell(person.reason),
+                          cell(person.simulated), cell(person.pilot)});
+  }
+  return table;
+}
+
+Table value_table(const Results& results) {
+  const Dataset& data = results.data;
+  Table table{"values",
+              "One value per participant, interface, task and measure: what the tests compare.",
+              {"participant", "interface", "task", "measure", "unit", "value"},
+              {}};
+  for (const Summary& one : results.summaries) {
+    for (int person = 0; person < size_of(one.values); ++person) {
+      if (!item(one.values, person)) continue;
+      table.rows.push_back(
+          {cell(item(data.people, person)), cell(item(data.interfaces, one.interface)),
+           cell(item(data.tasks, one.task).name), cell(item(data.measures, one.measure).name),
+           cell(item(data.measures, one.measure).unit), cell(item(one.values, person))});
+    }
+  }
+  return table;
+}
+
+Table trial_table(const Results& results) {
+  const Dataset& data = results.data;
+  Table table{"trials",
+              "Every trial that counts.",
+              {"participant", "position", "interface", "task", "target", "outcome", "failed"},
+              {}};
+  for (const Measure& measure : data.measures) table.columns.push_back(measure.name);
+  for (const Trial& trial : data.trials) {
+    std::vector<Cell> row = {cell(item(data.people, trial.person)),
+                             cell(trial.position),
+                             cell(item(data.interfaces, trial.interface)),
+                             cell(item(data.tasks, trial.task).name),
+                             target_name(data, trial.task, trial.target),
+                             cell(trial.outcome),
+                             cell(trial.failed)};
+    for (const auto& value : trial.values) row.push_back(cell(value));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+struct CsvField {
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(std::int64_t value) const { return std::to_string(value); }
+  std::string operator()(double value) const { return exact_number(value); }
+  std::string operator()(const std::string& text) const { return study::csv_cell(text); }
+};
+
+}  // namespace
+
+std::vector<Table> make_tables(const Results& results) {
+  return {comparison_table(results),  failure_table(results), summary_table(results),
+          participant_table(results), value_table(results),   trial_table(results)};
+}
+
+std::string to_csv(const Table& table) {
+  std::string csv;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    csv += (i > 0 ? "," : "") + CsvField()(table.columns[i]);
+  }
+  csv += '\n';
+  for (const std::vector<Cell>& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      csv += (i > 0 ? "," : "") + std::visit(CsvField(), row[i]);
+    }
+    csv += '\n';
+  }
+  return csv;
+}
+
+std::string to_text(Pooling pooling) {
+  switch (pooling) {
+    case Pooling::none:
+      return "none";
+    case Pooling::participants:
+      return "participants";
+    case Pooling::trials:
+      return "trials";
+  }
+  return "";
+}
+
+std::string to_text(Disposition disposition) {
+  switch (disposition) {
+    case Disposition::declined:
+      return "declined";
+    case Disposition::withdrawn:
+      return "withdrawn";
+    case Disposition::unfinished:
+      return "unfinished";
+    case Disposition::excluded:
+      return "excluded";
+    case Disposition::analysed:
+      return "analysed";
+  }
+  return "";
+}
+
+}  // namespace promenade::analysis
