@@ -1,11 +1,15 @@
 #include "analysis/comparisons.h"
 
 #include "analysis/item.h"
+#include "analysis/parallel.h"
 #include "analysis/statistics/differences.h"
 #include "analysis/statistics/p_adjust.h"
 
 namespace promenade::analysis {
 namespace {
+
+// Pooled trials are shown for comparison only; beyond this many the exact p is not worth the time.
+constexpr std::size_t pooled_limit = 1000;
 
 using Values = std::vector<std::optional<double>>;
 
@@ -34,7 +38,8 @@ int one_sided(const Values& a, const Values& b) {
 void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   comparison.missing = one_sided(a, b);
   comparison.d = paired_differences(a, b).values;
-  comparison.test = wilcoxon(comparison.d);
+  const bool pooled = comparison.pooling == Pooling::trials;
+  comparison.test = wilcoxon(comparison.d, Zeros::drop, pooled ? pooled_limit : sign_flips_limit);
   if (comparison.d.empty()) return;
   comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
   const WalshAverages walsh(comparison.d);
@@ -73,19 +78,13 @@ std::vector<Comparison> compare_at(const Dataset& data, const Comparison& place)
   return family;
 }
 
-bool occurs(const Dataset& data, int measure, int task) {
-  for (const Trial& trial : data.trials) {
-    if (trial.task == task && item(trial.values, measure)) return true;
-  }
-  return false;
-}
-
 std::vector<Comparison> places_of(const Dataset& data, int measure, int task) {
   Comparison place;
   place.measure = measure;
   place.task = task;
   place.pooling = Pooling::participants;
   std::vector<Comparison> places = {place};
+  if (item(data.measures, measure).kind == MeasureKind::process) return places;
   place.pooling = Pooling::trials;
   places.push_back(place);
   place.pooling = Pooling::none;
@@ -103,18 +102,19 @@ std::vector<Comparison> compare_all(const Dataset& data, const Progress& progres
   std::vector<Comparison> places;
   for (int task = 0; task < size_of(data.tasks); ++task) {
     for (int measure = 0; measure < size_of(data.measures); ++measure) {
-      if (!occurs(data, measure, task)) continue;
+      if (!data.occurs(measure, task)) continue;
       const std::vector<Comparison> more = places_of(data, measure, task);
       places.insert(places.end(), more.begin(), more.end());
     }
   }
+  std::vector<std::vector<Comparison>> families(places.size());
+  for_each_index(
+      size_of(places), [&](int i) { item(families, i) = compare_at(data, item(places, i)); },
+      progress, "comparisons made:");
   std::vector<Comparison> all;
-  for (int done = 0; done < size_of(places); ++done) {
-    report_progress(progress, "comparisons made:", done, size_of(places));
-    std::vector<Comparison> family = compare_at(data, item(places, done));
+  for (std::vector<Comparison>& family : families) {
     std::move(family.begin(), family.end(), std::back_inserter(all));
   }
-  report_progress(progress, "comparisons made:", size_of(places), size_of(places));
   return all;
 }
 

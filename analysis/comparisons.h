@@ -34,8 +34,8 @@ struct Comparison {
 };
 
 // For every measure that has a value in the task: first the means per person, then
-// the pooled trials, then each target; within each the pairs in the order of the
-// interfaces. Holm's family is the pairs of one measure at one place.
+// the pooled trials, then each target (of measures of the process the means alone); within each the
+// pairs in the order of the interfaces. Holm's family is the pairs of one measure at one place.
 // Throws OutsideError when `progress` stops it.
 std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress = {});
 

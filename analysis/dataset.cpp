@@ -40,6 +40,40 @@ const std::vector<Column>& columns() {
   return all;
 }
 
+// How the columns of the process read, in the order of process_columns().
+const std::vector<Measure>& process_measures() {
+  constexpr auto kind = MeasureKind::process;
+  static const std::vector<Measure> all = {
+      {"seconds_difference", "difference in duration of the walk", "s", "s", 1, 2, kind},
+      {"first_below_us", "time until D was first below the threshold", "us", "s", 1e-6, 1, kind},
+      {"d_area_m_s", "area under D", "m s", "m s", 1, 2, kind},
+      {"path_m", "way travelled in D", "m", "m", 1, 2, kind},
+      {"reversals", "reversals", "", "", 1, 1, kind},
+      {"drags", "drags", "", "", 1, 1, kind},
+      {"controls_touched", "controls touched", "", "", 1, 1, kind},
+      {"examples_visited", "examples visited", "", "", 1, 1, kind},
+      {"map_coverage", "share of the map seen", "", "%", 100, 0, kind},
+      {"idle_us", "idle time", "us", "s", 1e-6, 1, kind},
+      {"camera_moves", "moves of the camera", "", "", 1, 1, kind},
+  };
+  return all;
+}
+
+constexpr std::int64_t coarse_time_us = 50'000;
+
+TrialQuality quality_of(const LoggedTrial& trial) {
+  TrialQuality quality;
+  quality.late_frames = static_cast<int>(trial.late_frames.value_or(0));
+  quality.uncertainty_ms = static_cast<double>(trial.uncertainty_us) / 1000;
+  quality.interrupted = trial.interruptions > 0;
+  quality.paused = trial.paused_us > 0;
+  const double seconds =
+      static_cast<double>(trial.ended_us.value_or(trial.started_us) - trial.started_us) / 1e6;
+  quality.slow_frames = quality.late_frames > std::max(1.0, seconds);
+  quality.coarse_time = trial.uncertainty_us >= coarse_time_us;
+  return quality;
+}
+
 bool has_ended(const LoggedTrial& trial) {
   return trial.outcome == "success" || trial.outcome == "timeout" || trial.outcome == "done";
 }
@@ -91,6 +125,7 @@ class Builder {
     name_measures();
     for (const int index : taken_) data_.trials.push_back(trial_of(index));
     put_answers();
+    name_previous();
     return std::move(data_);
   }
 
@@ -153,8 +188,10 @@ class Builder {
     items_ = in_order(items, outline_.ratings);
     for (const std::string& item : items_) {
       const bool taken = data_.measure(item) >= 0;
-      data_.measures.push_back({taken ? "answer." + item : item, item, "", "", 1, 1});
+      data_.measures.push_back(
+          {taken ? "answer." + item : item, item, "", "", 1, 1, MeasureKind::rating});
     }
+    for (const Measure& measure : process_measures()) data_.measures.push_back(measure);
   }
 
   Trial trial_of(int index) const {
@@ -164,11 +201,20 @@ class Builder {
     trial.interface = index_in(data_.interfaces, from.interface);
     trial.task = index_in(task_names_, from.task);
     trial.target = index_in(item(data_.tasks, trial.task).targets, from.target);
+    trial.logged = index;
     trial.position = from.position;
+    trial.block = from.block;
+    trial.quality = quality_of(from);
     trial.outcome = from.outcome;
     trial.failed = has_failed(from);
     for (const Column& column : columns()) trial.values.push_back(column.value(from));
-    trial.values.resize(data_.measures.size());
+    trial.values.resize(trial.values.size() + items_.size());
+    for (int i = 0; i < size_of(process_columns()); ++i) {
+      const bool since_session = item(process_columns(), i) == "first_below_us";
+      std::optional<double> value = item(from.process, i);
+      if (value && since_session) *value -= static_cast<double>(from.started_us);
+      trial.values.push_back(value);
+    }
     return trial;
   }
 
@@ -180,6 +226,27 @@ class Builder {
       const auto column =
           columns().size() + static_cast<std::size_t>(index_in(items_, answer.item));
       item(data_.trials, trial).values[column] = answer.value;
+    }
+  }
+
+  // Also of trials that do not count: they were worked on all the same.
+  void name_previous() {
+    std::size_t next = 0;
+    const LoggedTrial* before = nullptr;
+    std::string now, previous;
+    for (std::size_t i = 0; i < log_.trials.size() && next < data_.trials.size(); ++i) {
+      const LoggedTrial& trial = log_.trials[i];
+      if (!before || trial.session != before->session) {
+        now = trial.interface;
+        previous.clear();
+      } else if (trial.interface != now) {
+        previous = now;
+        now = trial.interface;
+      }
+      before = &trial;
+      if (trial_of_logged_[i] < 0) continue;
+      const int index = index_in(data_.interfaces, previous);
+      data_.trials[next++].previous_interface = index < size_of(data_.interfaces) ? index : -1;
     }
   }
 
@@ -199,6 +266,12 @@ int Dataset::measure(std::string_view name) const {
     if (measures[i].name == name) return static_cast<int>(i);
   }
   return -1;
+}
+
+bool Dataset::occurs(int measure, int task) const {
+  return std::any_of(trials.begin(), trials.end(), [&](const Trial& trial) {
+    return trial.task == task && item(trial.values, measure).has_value();
+  });
 }
 
 Dataset make_dataset(const Log& log, const Selection& selection) {

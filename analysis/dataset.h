@@ -10,6 +10,9 @@
 
 namespace promenade::analysis {
 
+// What a measure is about: what came out, what people said of it, or how they got there.
+enum class MeasureKind { result, rating, process };
+
 // Something measured in each trial. Its name is that of the trial column, or of
 // the rating item ("answer.NAME" where that is a column, too).
 struct Measure {
@@ -20,6 +23,19 @@ struct Measure {
   std::string shown_unit;
   double scale = 1;
   int decimals = 1;
+  MeasureKind kind = MeasureKind::result;
+};
+
+// Why a trial is better left out of a sensitivity analysis (docs/methods.md, 6).
+struct TrialQuality {
+  int late_frames = 0;
+  double uncertainty_ms = 0;  // the largest of the time stamps of any input
+  bool interrupted = false;   // the program ended in it and went on
+  bool paused = false;
+  bool slow_frames = false;  // more than one late frame a second, on average
+  bool coarse_time = false;  // an input whose time is known to 50 ms or worse
+
+  bool flagged() const { return interrupted || paused || slow_frames || coarse_time; }
 };
 
 // A trial with an outcome of its own: success, timeout or done.
@@ -30,6 +46,12 @@ struct Trial {
   std::string outcome;
   bool failed = false;  // timeout, or done with D above the threshold (gave up)
   std::vector<std::optional<double>> values;  // one for each measure
+  int logged = 0;                             // index into Log::trials
+  int block = 0;                              // of the plan, from 1
+  // Of the latest earlier trial of the session, practice left out, that had another interface;
+  // -1: none. What a carry-over comes from.
+  int previous_interface = -1;
+  TrialQuality quality = {};
 };
 
 struct Task {
@@ -42,12 +64,14 @@ struct Dataset {
   std::vector<std::string> people;      // codes of those analysed
   std::vector<std::string> interfaces;  // in the order of the study
   std::vector<Task> tasks;
-  std::vector<Measure> measures;  // d_first, d_best, d_final, time_s, clicks, changes, ratings
+  // d_first, d_best, d_final, time_s, clicks, changes, ratings, then those of the process.
+  std::vector<Measure> measures;
   std::vector<Trial> trials;
   bool all_simulated = false;  // there are people, and none of them is real
   int left_out_trials = 0;     // of these people: skipped, aborted or cut off
 
   int measure(std::string_view name) const;  // index; -1: none
+  bool occurs(int measure, int task) const;  // has a trial of the task a value of it?
 };
 
 // Interfaces, tasks and targets stand in the order of the study file; those that it

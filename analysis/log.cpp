@@ -19,15 +19,26 @@ using study::Statement;
 
 constexpr const char* session_query =
     "SELECT session.uuid, participant.uuid, participant.code, session.outcome, "
-    "session.started_utc, session.simulated, session.pilot, study.study_sha256 "
+    "session.started_utc, session.simulated, session.pilot, study.study_sha256, "
+    "session.station, session.sequence, session.resumed "
     "FROM session JOIN participant ON participant.uuid = session.participant "
     "JOIN study ON study.uuid = session.study "
     "ORDER BY session.started_utc, participant.code, session.uuid";
 constexpr const char* trial_query =
     "SELECT session, uuid, position, task, interface, target, limit_s, threshold_m, started_us, "
-    "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0) "
+    "ended_us, outcome, d_first, d_best, d_final, clicks, changes, coalesce(paused_us, 0), block, "
+    "late_frames, seconds_difference, first_below_us, d_area_m_s, path_m, reversals, drags, "
+    "controls_touched, examples_visited, map_coverage, idle_us, camera_moves "
     "FROM trial WHERE practice = 0 AND superseded = 0 AND interface <> '' "
     "ORDER BY session, position, uuid";
+constexpr int first_process_column = 19;
+// In the order of the key, so that one pass over the file is enough.
+constexpr const char* quality_query =
+    "SELECT trial, CASE actor WHEN 'participant' THEN uncertainty_us ELSE 0 END, "
+    "kind = 'interrupted' FROM event WHERE trial IS NOT NULL "
+    "AND (actor = 'participant' OR kind = 'interrupted') ORDER BY session, seq";
+constexpr const char* roster_query =
+    "SELECT code, station, state, coalesce(replaces, '') FROM roster ORDER BY code";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
@@ -61,6 +72,11 @@ LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
   trial.clicks = real(row, 14, dropped);
   trial.changes = real(row, 15, dropped);
   trial.paused_us = row.integer(16);
+  trial.block = static_cast<int>(row.integer(17));
+  trial.late_frames = real(row, 18, dropped);
+  for (int i = 0; i < size_of(process_columns()); ++i) {
+    trial.process.push_back(real(row, first_process_column + i, dropped));
+  }
   return trial;
 }
 
@@ -77,7 +93,9 @@ class Reader {
     read_study(database);
     read_sessions(database);
     read_trials(database);
+    read_quality(database);
     read_answers(database);
+    read_roster(database);
   }
 
   Log take() {
@@ -141,7 +159,9 @@ class Reader {
         throw InputError(database.file(), study::damaged_database);
       }
       log_.sessions.push_back({row.text(0), row.text(1), row.text(2), row.text(3), row.text(4),
-                               row.integer(5) != 0, row.integer(6) != 0, file_index(), version});
+                               row.text(8), static_cast<int>(row.integer(9)),
+                               static_cast<int>(row.integer(10)), row.integer(5) != 0,
+                               row.integer(6) != 0, file_index(), version});
       ++log_.files.back().sessions;
     }
   }
@@ -154,6 +174,40 @@ class Reader {
       trial_of_.emplace(row.text(1), size_of(log_.trials));
       log_.trials.push_back(trial_in(row, session, log_.not_finite));
       ++log_.files.back().trials;
+    }
+  }
+
+  void read_quality(Database& database) {
+    Statement row(database, quality_query);
+    std::string uuid;
+    int trial = -1;
+    while (row.step()) {
+      if (row.text_view(0) != uuid) {
+        uuid = row.text(0);
+        const auto found = trial_of_.find(uuid);
+        const bool ours = found != trial_of_.end() && file_of_trial(found->second) == file_index();
+        trial = ours ? found->second : -1;
+      }
+      if (trial < 0) continue;
+      LoggedTrial& logged = item(log_.trials, trial);
+      logged.uncertainty_us = std::max(logged.uncertainty_us, row.integer(1));
+      logged.interruptions += static_cast<int>(row.integer(2));
+    }
+  }
+
+  // A code stands in one roster; what a station knows of it beats what was dealt.
+  void read_roster(Database& database) {
+    Statement row(database, roster_query);
+    while (row.step()) {
+      const LoggedPlace place{row.text(0), row.text(1), row.text(2), row.text(3)};
+      const auto known =
+          std::find_if(log_.roster.begin(), log_.roster.end(),
+                       [&place](const LoggedPlace& one) { return one.code == place.code; });
+      if (known == log_.roster.end()) {
+        log_.roster.push_back(place);
+      } else if (known->state == "booked") {
+        *known = place;
+      }
     }
   }
 
@@ -193,6 +247,13 @@ class Reader {
 
 }  // namespace
 
+const std::vector<std::string>& process_columns() {
+  static const std::vector<std::string> names = {
+      "seconds_difference", "first_below_us",   "d_area_m_s",   "path_m",  "reversals",   "drags",
+      "controls_touched",   "examples_visited", "map_coverage", "idle_us", "camera_moves"};
+  return names;
+}
+
 Database open_database(const std::string& file) {
   Database database = study::open_log(file);
   if (study::is_damaged(database, {"session", "trial", "answer"})) {
@@ -230,7 +291,12 @@ Log read_log(const std::vector<std::string>& files) {
 }
 
 std::vector<std::string> log_queries() {
-  return {study::study_versions_query, session_query, trial_query, answer_query};
+  return {study::study_versions_query,
+          session_query,
+          trial_query,
+          quality_query,
+          answer_query,
+          roster_query};
 }
 
 }  // namespace promenade::analysis

@@ -20,6 +20,9 @@ struct LoggedSession {
   std::string code;         // of the person, as the experimenter gave it
   std::string outcome;      // running, finished, declined, withdrawn or stopped
   std::string started_utc;
+  std::string station;
+  int sequence = 0;  // order of the plan
+  int resumed = 0;   // how often it went on after an interruption
   bool simulated = false;
   bool pilot = false;
   int file = 0;     // index into Log::files
@@ -30,6 +33,7 @@ struct LoggedTrial {
   int session = 0;  // index into Log::sessions
   std::string uuid;
   int position = 0;  // in the session, from 1
+  int block = 0;     // of the plan, from 1
   std::string task, interface, target;
   std::optional<double> limit_s, threshold_m;
   std::int64_t started_us = 0;
@@ -38,12 +42,29 @@ struct LoggedTrial {
   std::string outcome;         // success, timeout, done, skipped or aborted; empty: cut off
   std::optional<double> d_first, d_best, d_final;  // metres
   std::optional<double> clicks, changes;
+  std::vector<std::optional<double>> process;  // one for each of process_columns(), as stored
+  // Of its time stamps: how good they are, and whether the frames came as they should.
+  std::optional<double> late_frames;
+  std::int64_t uncertainty_us = 0;  // the largest of any input of the person
+  int interruptions = 0;            // how often the program ended in it and went on
 };
+
+// The columns of `trial` that describe how a person worked, as the file names them: defined
+// once for all interfaces (docs/analysts.md).
+const std::vector<std::string>& process_columns();
 
 struct LoggedAnswer {
   int trial = 0;  // index into Log::trials
   std::string item;
   std::optional<double> value;
+};
+
+// A place of the roster, as the file knows it.
+struct LoggedPlace {
+  std::string code;
+  std::string station;
+  std::string state;     // booked, done, no_show or replaced
+  std::string replaces;  // the code whose place this is; empty: none
 };
 
 struct LoggedFile {
@@ -68,6 +89,7 @@ struct Log {
   // session and position.
   std::vector<LoggedTrial> trials;
   std::vector<LoggedAnswer> answers;  // about these trials, touched and not declined
+  std::vector<LoggedPlace> roster;    // each code once; empty: there was none
   int repeated_sessions = 0;          // in more than one file, taken once
   int not_finite = 0;                 // values that are infinite, taken for missing
 };

@@ -231,6 +231,12 @@ std::string Statement::text(int column) const {
   return text ? reinterpret_cast<const char*>(text) : "";
 }
 
+std::string_view Statement::text_view(int column) const {
+  const unsigned char* text = sqlite3_column_text(handle_, column);
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(handle_, column));
+  return text ? std::string_view(reinterpret_cast<const char*>(text), size) : std::string_view();
+}
+
 std::string_view Statement::blob(int column) const {
   const void* bytes = sqlite3_column_blob(handle_, column);
   return {static_cast<const char*>(bytes),

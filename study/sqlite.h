@@ -84,7 +84,8 @@ class Statement {
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;
-  std::string_view blob(int column) const;  // valid until the next step
+  std::string_view text_view(int column) const;  // until the next step()
+  std::string_view blob(int column) const;       // valid until the next step
 
  private:
   void check(int code) const;

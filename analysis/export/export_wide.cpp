@@ -15,16 +15,13 @@ namespace {
 using study::Statement;
 
 // Columns of `trial` that a report does not compare but an analysis may want.
-constexpr std::array process_columns = {
-    "d_sum",        "seconds_difference", "d_area_m_s",       "path_m",       "reversals",
-    "drags",        "controls_touched",   "examples_visited", "map_coverage", "idle_us",
-    "camera_moves", "late_frames"};
+constexpr std::array bare_columns = {"d_sum", "late_frames"};
 
 // Adds those that the data set does not have yet.
-class ProcessMeasures {
+class BareColumns {
  public:
-  ProcessMeasures(const ExportSource& source, Dataset& data) : source_(source), data_(data) {
-    for (const char* column : process_columns) {
+  BareColumns(const ExportSource& source, Dataset& data) : source_(source), data_(data) {
+    for (const char* column : bare_columns) {
       if (data.measure(column) >= 0 || !has_column(source.database, "trial", column)) continue;
       names_.emplace_back(column);
     }
@@ -167,7 +164,7 @@ class WideMaker {
  public:
   explicit WideMaker(const ExportSource& source)
       : source_(source), data_(make_dataset(source.log, source.selection)) {
-    ProcessMeasures(source, data_).add();
+    BareColumns(source, data_).add();
     table_.people = data_.people;
     for (const Person& person : source.selection.people) {
       if (person.disposition != Disposition::analysed) continue;

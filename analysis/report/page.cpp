@@ -4,7 +4,20 @@
 
 namespace promenade::analysis {
 
-std::string report_page(const Results& results, const std::vector<DrawnFigure>& figures) {
+namespace {
+
+Html shown(const std::vector<Section>& sections) {
+  Html html;
+  for (const Section& section : sections) {
+    if (!section.title.empty()) html += element("h2", section.title) + section.html;
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string report_page(const Results& results, const std::vector<Section>& sections,
+                        const std::vector<DrawnFigure>& figures) {
   Html head = trusted("<meta charset=\"utf-8\"/>\n") +
               empty_element("meta", {{"name", "viewport"},
                                      {"content", "width=device-width, initial-scale=1"}}) +
@@ -13,8 +26,8 @@ std::string report_page(const Results& results, const std::vector<DrawnFigure>& 
   Html body = stripe(results);
   body += element("main", headline(results) + flow_bar(results.selection) + panels(results) +
                               buttons(results, figures) + figure_section(figures) +
-                              table_sections(results) + method_section(results) +
-                              provenance_section(results));
+                              table_sections(results) + shown(sections) + method_section(results) +
+                              provenance_section(results, sections));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
          "\n";

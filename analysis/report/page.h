@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/report/figures.h"
+#include "analysis/report/section.h"
 #include "analysis/results.h"
 
 namespace promenade::analysis {
@@ -16,6 +17,7 @@ struct DrawnFigure {
   std::string svg;  // bytes of the file
 };
 
-std::string report_page(const Results& results, const std::vector<DrawnFigure>& figures);
+std::string report_page(const Results& results, const std::vector<Section>& sections,
+                        const std::vector<DrawnFigure>& figures);
 
 }  // namespace promenade::analysis

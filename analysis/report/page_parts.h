@@ -19,7 +19,7 @@ Html table_sections(const Results& results);
 
 // page_notes.cpp: how it was computed, and from what.
 Html method_section(const Results& results);
-Html provenance_section(const Results& results);
+Html provenance_section(const Results& results, const std::vector<Section>& sections);
 
 std::string_view page_css();  // page_css.cpp
 

@@ -30,11 +30,12 @@ std::vector<DrawnFigure> draw_all(const Results& results, const fs::path& folder
 
 void write_all(const Results& results, const fs::path& folder, const Progress& progress) {
   const std::vector<DrawnFigure> figures = draw_all(results, folder / "figures", progress);
-  for (const Table& table : make_tables(results)) {
+  const std::vector<Section> sections = sections_of(results);
+  for (const Table& table : all_tables(results, sections)) {
     write_file(folder / "tables" / (table.name + ".csv"), to_csv(table));
   }
-  write_file(folder / "report.json", report_json(results));
-  write_file(folder / "report.html", report_page(results, figures));
+  write_file(folder / "report.json", report_json(results, sections));
+  write_file(folder / "report.html", report_page(results, sections, figures));
 }
 
 }  // namespace

@@ -138,7 +138,7 @@ Json sentences_json(const Results& results) {
 
 }  // namespace
 
-std::string report_json(const Results& results) {
+std::string report_json(const Results& results, const std::vector<Section>& sections) {
   const Dataset& data = results.data;
   Json json = {{"program_version", PROMENADE_VERSION},
                {"study",
@@ -168,6 +168,7 @@ std::string report_json(const Results& results) {
   for (const Summary& one : results.summaries) {
     json["summaries"].push_back(summary_json(data, one));
   }
+  for (const Section& section : sections) json.update(section.json);
   // Codes and names may hold bytes that are no UTF-8.
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }

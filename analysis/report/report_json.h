@@ -3,11 +3,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "analysis/report/section.h"
 #include "analysis/results.h"
 
 namespace promenade::analysis {
 
-std::string report_json(const Results& results);
+std::string report_json(const Results& results, const std::vector<Section>& sections);
 
 }  // namespace promenade::analysis

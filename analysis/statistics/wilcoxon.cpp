@@ -68,7 +68,7 @@ void add_normal(SignedRankTest& test) {
 
 }  // namespace
 
-SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros) {
+SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros, std::size_t exact_up_to) {
   SignedRankTest test;
   const std::vector<SignedRank> ranks = rank(d, zeros, test.tie_sum);
   std::int64_t plus = 0;
@@ -86,7 +86,8 @@ SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros) {
   test.w_plus = static_cast<double>(plus) / 2;
   test.w_minus = static_cast<double>(total - plus) / 2;
   test.mean = static_cast<double>(total) / 4;
-  if (ranks.size() <= sign_flips_limit) test.exact = exact_tails(ranks, plus, total);
+  if (ranks.size() <= std::min(exact_up_to, sign_flips_limit))
+    test.exact = exact_tails(ranks, plus, total);
   if (total > 0) {
     add_normal(test);
     test.rank_biserial = (test.w_plus - test.w_minus) / (test.w_plus + test.w_minus);

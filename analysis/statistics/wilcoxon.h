@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "analysis/statistics/sign_flips.h"
+
 namespace promenade::analysis {
 
 enum class Zeros {
@@ -34,7 +36,7 @@ struct SignedRankTest {
   double mean = 0;      // of W+ under the null hypothesis, given the ranks: sum r / 2
   double variance = 0;  // sum r^2 / 4
 
-  // Missing where there are more than sign_flips_limit non-zero differences.
+  // Missing where there are more non-zero differences than asked for, or sign_flips_limit.
   std::optional<Tails> exact;
 
   // Normal approximation; missing where all differences are zero.
@@ -49,6 +51,8 @@ struct SignedRankTest {
 
 // d: finite differences; equal magnitudes are ties to the last bit, so make
 // them with paired_differences.
-SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros = Zeros::drop);
+// Above `exact_up_to` non-zero differences there is no exact p.
+SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros = Zeros::drop,
+                        std::size_t exact_up_to = sign_flips_limit);
 
 }  // namespace promenade::analysis

@@ -1,0 +1,15 @@
+#include "analysis/report/section.h"
+
+namespace promenade::analysis {
+
+std::vector<Section> sections_of(const Results&) { return {}; }
+
+std::vector<Table> all_tables(const Results& results, const std::vector<Section>& sections) {
+  std::vector<Table> tables = make_tables(results);
+  for (const Section& section : sections) {
+    tables.insert(tables.end(), section.tables.begin(), section.tables.end());
+  }
+  return tables;
+}
+
+}  // namespace promenade::analysis
