@@ -29,6 +29,7 @@ constexpr auto table = std::to_array<Family>({
     {"cochran_q", families::cochran_q},
     {"friedman", families::friedman},
     {"kaplan_meier", families::kaplan_meier},
+    {"logrank", families::logrank},
     {"ward", families::ward},
     {"pca", families::pca},
     {"classical_mds", families::classical_mds},

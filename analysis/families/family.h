@@ -62,6 +62,7 @@ Json sign_test(const Json& input);
 Json cochran_q(const Json& input);
 Json friedman(const Json& input);
 Json kaplan_meier(const Json& input);
+Json logrank(const Json& input);
 Json ward(const Json& input);
 Json pca(const Json& input);
 Json classical_mds(const Json& input);
