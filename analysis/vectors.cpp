@@ -33,6 +33,8 @@ constexpr auto table = std::to_array<Family>({
     {"cronbach_alpha", families::cronbach_alpha},
     {"icc", families::icc},
     {"krippendorff_alpha", families::krippendorff_alpha},
+    {"bootstrap_median_ideal", families::bootstrap_median_ideal},
+    {"bootstrap_ci_given_replicates", families::bootstrap_ci_given_replicates},
     {"ward", families::ward},
     {"pca", families::pca},
     {"classical_mds", families::classical_mds},

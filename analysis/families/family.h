@@ -66,6 +66,8 @@ Json logrank(const Json& input);
 Json cronbach_alpha(const Json& input);
 Json icc(const Json& input);
 Json krippendorff_alpha(const Json& input);
+Json bootstrap_median_ideal(const Json& input);
+Json bootstrap_ci_given_replicates(const Json& input);
 Json ward(const Json& input);
 Json pca(const Json& input);
 Json classical_mds(const Json& input);
