@@ -2,6 +2,7 @@
 
 #include "analysis/format.h"
 #include "motion/problem.h"
+#include "study/sqlite.h"
 
 namespace promenade::analysis {
 namespace {
@@ -52,7 +53,7 @@ std::vector<const Summary*> Results::summaries_of(int measure, int task) const {
 }
 
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
-                        const Progress& progress) {
+                        const Progress& progress, const study::InterfaceRegistry* registry) {
   Results results;
   results.log = read_log(databases);
   results.options = options;
@@ -60,6 +61,11 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.data = make_dataset(results.log, results.selection);
   if (results.data.trials.empty()) {
     throw InputError(all_names(databases), nothing_to_report(results.selection));
+  }
+  if (registry) {
+    study::Database database = open_database(databases[0]);
+    results.reachability = find_reachable(database, *registry);
+    add_regret(results.reachability, results.data);
   }
   results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);

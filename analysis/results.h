@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/comparisons.h"
+#include "analysis/regret.h"
 #include "analysis/summaries.h"
 
 namespace promenade::analysis {
@@ -16,6 +17,7 @@ struct Results {
   SelectionOptions options;
   Selection selection;
   Dataset data;
+  Reachability reachability;
   std::vector<Comparison> comparisons;
   std::vector<FailureRatio> failures;
   std::vector<Summary> summaries;
@@ -25,9 +27,10 @@ struct Results {
   std::vector<const Summary*> summaries_of(int measure, int task) const;
 };
 
-// Reads the databases and runs every test. Throws InputError, also when no trial is
-// left to analyse; OutsideError when `progress` stops it.
+// Reads the databases and runs every test. Without `registry` there is no regret. Throws
+// InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
-                        const Progress& progress = {});
+                        const Progress& progress = {},
+                        const study::InterfaceRegistry* registry = nullptr);
 
 }  // namespace promenade::analysis

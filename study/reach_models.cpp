@@ -114,6 +114,15 @@ Reach reach(const ReachModels& models, const motion::ControlMap& map, const Targ
   return result;
 }
 
+Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const ReachModels& models,
+            const Task& task, int interface, const Target& target, double threshold_m) {
+  const std::string& type = bundle.study.interfaces[static_cast<std::size_t>(interface)].type;
+  if (const motion::ControlMap* map = find_map(models, type)) {
+    return reach(models, *map, target, threshold_m, task.distance);
+  }
+  return reach(bundle, registry, task, interface, target, {.threshold_m = threshold_m});
+}
+
 double judged_threshold(const motion::MotionSpace& space, const Task& task) {
   return task.threshold_m ? *task.threshold_m : automatic_threshold(space, task);
 }

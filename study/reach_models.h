@@ -43,6 +43,11 @@ const motion::ControlMap* find_map(const ReachModels& models, std::string_view t
 Reach reach(const ReachModels& models, const motion::ControlMap& map, const Target& target,
             double threshold_m, DistanceTimes times);
 
+// Of an interface as the study uses it: by the map of its type; one that has none is tried as it
+// is (study/fairness.h).
+Reach reach(const StudyBundle& bundle, const InterfaceRegistry& registry, const ReachModels& models,
+            const Task& task, int interface, const Target& target, double threshold_m);
+
 // What `check` and `model targets` judge by: the task's threshold, or the automatic one.
 double judged_threshold(const motion::MotionSpace& space, const Task& task);
 

@@ -42,7 +42,8 @@ void write_all(const Results& results, const fs::path& folder, const Progress& p
 
 void write_report(const ReportOptions& options) {
   const fs::path folder = wanted_folder(options.folder);
-  const Results results = compute_results(options.databases, options.selection, options.progress);
+  const Results results =
+      compute_results(options.databases, options.selection, options.progress, options.registry);
   const Workshop workshop(folder);
   try {
     fs::create_directories(workshop.path() / "figures");

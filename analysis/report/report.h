@@ -7,6 +7,7 @@
 
 #include "analysis/progress.h"
 #include "analysis/selection.h"
+#include "study/interface.h"
 
 namespace promenade::analysis {
 
@@ -15,6 +16,8 @@ struct ReportOptions {
   std::filesystem::path folder;        // made if missing; else its files are replaced
   SelectionOptions selection;
   Progress progress = {};
+  // Of the interfaces that the study used, to find what each can reach; null: no regret.
+  const study::InterfaceRegistry* registry = nullptr;
 };
 
 // Everything is computed and drawn before anything appears at `folder`. Throws

@@ -21,6 +21,8 @@ struct Section {
   nlohmann::json json = nlohmann::json::object();
 };
 
+Section reach_section(const Results& results);
+
 // All that have something to say, in the order of the page.
 std::vector<Section> sections_of(const Results& results);
 

@@ -2,7 +2,7 @@
 
 namespace promenade::analysis {
 
-std::vector<Section> sections_of(const Results&) { return {}; }
+std::vector<Section> sections_of(const Results& results) { return {reach_section(results)}; }
 
 std::vector<Table> all_tables(const Results& results, const std::vector<Section>& sections) {
   std::vector<Table> tables = make_tables(results);

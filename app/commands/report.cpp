@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/print.h"
+#include "app/registry.h"
 #include "motion/problem.h"
 
 namespace promenade::app {
@@ -21,6 +22,7 @@ void run_report(Arguments& arguments) {
     throw OutsideError("report --prereg is not in this version of Promenade yet; leave it out");
   }
   arguments.options.folder = arguments.folder;
+  arguments.options.registry = &interfaces();
   arguments.options.progress = [](const std::string& what, int done, int count) {
     show_progress(what, done, count);
     return !interrupted();

@@ -49,16 +49,6 @@ std::vector<Case> cases_of(const study::Study& study) {
   return cases;
 }
 
-// By the model of the interface; one that has none is tried as it is.
-study::Reach reach_of(const StudyBundle& bundle, const study::ReachModels& models, const Task& task,
-                      int interface, const Target& target, double judged_by_m) {
-  const std::string& type = bundle.study.interfaces[static_cast<std::size_t>(interface)].type;
-  if (const motion::ControlMap* map = study::find_map(models, type)) {
-    return study::reach(models, *map, target, judged_by_m, task.distance);
-  }
-  return study::reach(bundle, interfaces(), task, interface, target, {.threshold_m = judged_by_m});
-}
-
 std::string start_of(const study::Study& study, const Task& task) {
   if (task.start_guess < 0) return "average";
   return study.tasks[static_cast<std::size_t>(task.start_guess)].name;
@@ -78,8 +68,8 @@ TargetReport report_case(const StudyBundle& bundle, const study::ReachModels& mo
                       {}};
   for (const int index : task.interfaces) {
     const std::string& name = bundle.study.interfaces[static_cast<std::size_t>(index)].name;
-    report.reaches.push_back(
-        {name, reach_of(bundle, models, task, index, one.target, report.judged_by_m)});
+    report.reaches.push_back({name, study::reach(bundle, interfaces(), models, task, index,
+                                                 one.target, report.judged_by_m)});
   }
   return report;
 }
