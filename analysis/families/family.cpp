@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace promenade::analysis::families {
 namespace {
@@ -60,8 +59,8 @@ double number(const Json& input, const char* key) { return as_number(member(inpu
 
 int whole_number(const Json& input, const char* key) {
   const double value = number(input, key);
-  if (value < 0 || value > std::numeric_limits<int>::max() || value != std::floor(value)) {
-    throw CaseError(std::string("input.") + key + " is not a whole number from 0");
+  if (!(value >= 0 && value <= 1e9) || value != std::floor(value)) {
+    throw CaseError(std::string("input.") + key + " is not a whole number from 0 to a billion");
   }
   return static_cast<int>(value);
 }

@@ -25,7 +25,7 @@ class CaseError : public std::runtime_error {
 };
 
 double number(const Json& input, const char* key);
-int whole_number(const Json& input, const char* key);  // 0 or more
+int whole_number(const Json& input, const char* key);  // 0 to 1e9, so that two can be added
 double level(const Json& input, const char* key);      // between 0 and 1, both excluded
 std::string text(const Json& input, const char* key);
 std::vector<double> numbers(const Json& input, const char* key);

@@ -28,13 +28,29 @@ void put_merges(Json& result, const motion::Dendrogram& tree) {
   result["merged_members"] = motion::merged_leaves(tree);
 }
 
+// Clusters of clusters have squares of sums of these.
+constexpr double largest_distance = 1e150;
+
+Eigen::MatrixXd distances_in(const Json& input) {
+  Eigen::MatrixXd distances = input.contains("points")
+                                  ? motion::euclidean_distances(table(input, "points").transpose())
+                                  : distance_table(input, "dist");
+  if (!(distances.maxCoeff() <= largest_distance)) {
+    throw CaseError("the input holds a distance above 1e150, whose square is no number");
+  }
+  return distances;
+}
+
+// Of one leaf there is no pair to correlate.
+Json correlation(const motion::Dendrogram& tree, const Eigen::MatrixXd& distances) {
+  return tree.leaves < 2 ? Json() : to_json(motion::cophenetic_correlation(tree, distances));
+}
+
 }  // namespace
 
 Json ward(const Json& input) {
   const bool points = input.contains("points");
-  const Eigen::MatrixXd distances =
-      points ? motion::euclidean_distances(table(input, "points").transpose())
-             : distance_table(input, "dist");
+  const Eigen::MatrixXd distances = distances_in(input);
   const motion::Dendrogram tree = points ? motion::ward(table(input, "points").transpose())
                                          : motion::ward_of_distances(distances);
   Json result = {{"n", tree.leaves}};
@@ -42,7 +58,7 @@ Json ward(const Json& input) {
   for (int k = 2; k <= 4; ++k) {
     result["labels_k" + std::to_string(k)] = k <= tree.leaves ? Json(motion::cut(tree, k)) : Json();
   }
-  result["cophenetic_correlation"] = to_json(motion::cophenetic_correlation(tree, distances));
+  result["cophenetic_correlation"] = correlation(tree, distances);
   return result;
 }
 

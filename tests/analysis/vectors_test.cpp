@@ -92,6 +92,18 @@ TEST(Vectors, CutATreeOnlyWhereThereAreLeavesEnough) {
   EXPECT_NEAR(result["height_squared"][1].get<double>(), 4.0 / 3 * 29.25, 1e-12);
 }
 
+TEST(Vectors, TakeOneLeafAndRefuseWhatASumOrSquareCannotHold) {
+  const Json results = run(R"({"families": {
+      "ward": [{"id": "one", "input": {"points": [[1, 2]]}},
+               {"id": "far", "input": {"points": [[1e300], [0], [1]]}}],
+      "sign_test": [{"id": "many", "input": {"n_pos": 2147483647, "n_neg": 3}}]}})");
+  EXPECT_EQ(results["one"]["n"], 1);
+  EXPECT_TRUE(results["one"]["cophenetic_correlation"].is_null());
+  EXPECT_EQ(results["far"]["error"],
+            "the input holds a distance above 1e150, whose square is no number");
+  EXPECT_EQ(results["many"]["error"], "input.n_pos is not a whole number from 0 to a billion");
+}
+
 TEST(Vectors, RefuseTablesThatAreNoDistances) {
   const Json results = run(R"({"families": {"classical_mds": [
       {"id": "square", "input": {"dist": [[0, 1]], "k": 2}},
