@@ -33,6 +33,13 @@ struct Comparison {
   std::optional<LocationInterval> hl_ci;  // 95 %
 };
 
+using PersonValues = std::vector<std::optional<double>>;  // one for each person
+
+// All pairs of interfaces, whose values these are, at the place that `place` names: tested, and
+// adjusted together.
+std::vector<Comparison> compare_pairs(const Comparison& place,
+                                      const std::vector<PersonValues>& values);
+
 // For every measure that has a value in the task: first the means per person, then
 // the pooled trials, then each target (of measures of the process the means alone); within each the
 // pairs in the order of the interfaces. Holm's family is the pairs of one measure at one place.

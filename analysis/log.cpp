@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "analysis/item.h"
 #include "motion/problem.h"
@@ -33,12 +35,18 @@ constexpr const char* trial_query =
     "ORDER BY session, position, uuid";
 constexpr int first_process_column = 19;
 // In the order of the key, so that one pass over the file is enough.
-constexpr const char* quality_query =
-    "SELECT trial, CASE actor WHEN 'participant' THEN uncertainty_us ELSE 0 END, "
-    "kind = 'interrupted' FROM event WHERE trial IS NOT NULL "
-    "AND (actor = 'participant' OR kind = 'interrupted') ORDER BY session, seq";
+constexpr const char* event_query =
+    "SELECT coalesce(trial, ''), actor, uncertainty_us, kind, session, coalesce(target, ''), "
+    "coalesce(detail, ''), t_us FROM event WHERE (actor = 'participant' AND trial IS NOT NULL) "
+    "OR (actor = 'system' AND kind = 'interrupted') OR actor = 'experimenter' OR kind = 'stop' "
+    "ORDER BY session, seq";
+constexpr const char* repeated_query =
+    "SELECT session, count(*) FROM trial WHERE superseded = 1 AND practice = 0 "
+    "AND interface <> '' GROUP BY session ORDER BY session";
+constexpr const char* tombstone_query =
+    "SELECT participant FROM tombstone WHERE removed = 'everything' ORDER BY participant";
 constexpr const char* roster_query =
-    "SELECT code, station, state, coalesce(replaces, '') FROM roster ORDER BY code";
+    "SELECT code, station, sequence, state, coalesce(replaces, '') FROM roster ORDER BY code";
 constexpr const char* answer_query =
     "SELECT trial, item, value FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
@@ -51,6 +59,13 @@ std::optional<double> real(const Statement& row, int column, int& dropped) {
   if (std::isfinite(value)) return value;
   ++dropped;
   return std::nullopt;
+}
+
+// {"reason": "..."}; empty where there is none.
+std::string reason_in(const std::string& detail) {
+  const auto json = nlohmann::json::parse(detail, nullptr, false);
+  const bool has_it = json.is_object() && json.contains("reason") && json["reason"].is_string();
+  return has_it ? json["reason"].get<std::string>() : "";
 }
 
 LoggedTrial trial_in(const Statement& row, int session, int& dropped) {
@@ -93,13 +108,16 @@ class Reader {
     read_study(database);
     read_sessions(database);
     read_trials(database);
-    read_quality(database);
+    read_repeated(database);
+    read_events(database);
     read_answers(database);
     read_roster(database);
+    read_tombstones(database);
   }
 
   Log take() {
     count_versions();
+    count_removed();
     return std::move(log_);
   }
 
@@ -177,8 +195,16 @@ class Reader {
     }
   }
 
-  void read_quality(Database& database) {
-    Statement row(database, quality_query);
+  void read_repeated(Database& database) {
+    Statement row(database, repeated_query);
+    while (row.step()) {
+      LoggedSession& session = item(log_.sessions, session_of_.at(row.text(0)));
+      if (session.file == file_index()) session.repeated_trials = static_cast<int>(row.integer(1));
+    }
+  }
+
+  void read_events(Database& database) {
+    Statement row(database, event_query);
     std::string uuid;
     int trial = -1;
     while (row.step()) {
@@ -188,18 +214,57 @@ class Reader {
         const bool ours = found != trial_of_.end() && file_of_trial(found->second) == file_index();
         trial = ours ? found->second : -1;
       }
-      if (trial < 0) continue;
-      LoggedTrial& logged = item(log_.trials, trial);
-      logged.uncertainty_us = std::max(logged.uncertainty_us, row.integer(1));
-      logged.interruptions += static_cast<int>(row.integer(2));
+      take_quality(row, trial);
+      if (row.text_view(1) == "experimenter" || row.text_view(3) == "stop") take_act(row, trial);
     }
+  }
+
+  void take_quality(const Statement& row, int trial) {
+    if (trial < 0) return;
+    LoggedTrial& logged = item(log_.trials, trial);
+    if (row.text_view(1) == "participant") {
+      logged.uncertainty_us = std::max(logged.uncertainty_us, row.integer(2));
+    }
+    logged.interruptions += row.text_view(3) == "interrupted" ? 1 : 0;
+  }
+
+  void take_act(const Statement& row, int trial) {
+    const auto session = session_of_.find(row.text(4));
+    if (session == session_of_.end()) return;
+    if (item(log_.sessions, session->second).file != file_index()) return;
+    const std::string kind = row.text(3);
+    if (kind == "note") ++log_.notes;
+    if (kind != "skip" && kind != "repeat" && kind != "release" && kind != "stop") return;
+    if (kind == "skip" && trial < 0) trial = trial_skipped_at(session->second, row.integer(7));
+    log_.acts.push_back({session->second, trial, kind, row.text(5), reason_in(row.text(6))});
+  }
+
+  // A trial that was skipped before it began, begins and ends at this very time.
+  int trial_skipped_at(int session, std::int64_t t_us) const {
+    const auto found =
+        std::find_if(log_.trials.begin(), log_.trials.end(), [&](const LoggedTrial& trial) {
+          return trial.session == session && trial.outcome == "skipped" && trial.started_us == t_us;
+        });
+    return found == log_.trials.end() ? -1 : static_cast<int>(found - log_.trials.begin());
+  }
+
+  void read_tombstones(Database& database) {
+    Statement row(database, tombstone_query);
+    while (row.step()) removed_.insert(row.text(0));
+  }
+
+  // One file may still hold who was removed from another.
+  void count_removed() {
+    for (const LoggedSession& session : log_.sessions) removed_.erase(session.participant);
+    log_.removed_people = size_of(removed_);
   }
 
   // A code stands in one roster; what a station knows of it beats what was dealt.
   void read_roster(Database& database) {
     Statement row(database, roster_query);
     while (row.step()) {
-      const LoggedPlace place{row.text(0), row.text(1), row.text(2), row.text(3)};
+      const LoggedPlace place{row.text(0), row.text(1), static_cast<int>(row.integer(2)),
+                              row.text(3), row.text(4)};
       const auto known =
           std::find_if(log_.roster.begin(), log_.roster.end(),
                        [&place](const LoggedPlace& one) { return one.code == place.code; });
@@ -243,6 +308,7 @@ class Reader {
   Log log_;
   std::map<std::string, int> session_of_;  // uuid to index
   std::map<std::string, int> trial_of_;
+  std::set<std::string> removed_;  // uuids of people
 };
 
 }  // namespace
@@ -294,9 +360,11 @@ std::vector<std::string> log_queries() {
   return {study::study_versions_query,
           session_query,
           trial_query,
-          quality_query,
+          event_query,
+          repeated_query,
           answer_query,
-          roster_query};
+          roster_query,
+          tombstone_query};
 }
 
 }  // namespace promenade::analysis

@@ -25,8 +25,9 @@ struct LoggedSession {
   int resumed = 0;   // how often it went on after an interruption
   bool simulated = false;
   bool pilot = false;
-  int file = 0;     // index into Log::files
-  int version = 0;  // index into Log::versions
+  int file = 0;             // index into Log::files
+  int version = 0;          // index into Log::versions
+  int repeated_trials = 0;  // that were done again later; practice apart
 };
 
 struct LoggedTrial {
@@ -59,10 +60,20 @@ struct LoggedAnswer {
   std::optional<double> value;
 };
 
+// What the experimenter did in a session, or how it was stopped.
+struct LoggedAct {
+  int session = 0;     // index into Log::sessions
+  int trial = -1;      // index into Log::trials; -1: outside trials, or one that does not count
+  std::string kind;    // skip, repeat, release or stop
+  std::string target;  // of repeat: trial or block
+  std::string reason;  // as it was typed; empty: none
+};
+
 // A place of the roster, as the file knows it.
 struct LoggedPlace {
   std::string code;
   std::string station;
+  int sequence = 0;      // order of the plan
   std::string state;     // booked, done, no_show or replaced
   std::string replaces;  // the code whose place this is; empty: none
 };
@@ -90,8 +101,12 @@ struct Log {
   std::vector<LoggedTrial> trials;
   std::vector<LoggedAnswer> answers;  // about these trials, touched and not declined
   std::vector<LoggedPlace> roster;    // each code once; empty: there was none
-  int repeated_sessions = 0;          // in more than one file, taken once
-  int not_finite = 0;                 // values that are infinite, taken for missing
+  std::vector<LoggedAct> acts;        // by file, session and time
+  // People who withdrew and of whom nothing was kept: known by their tombstones alone.
+  int removed_people = 0;
+  int notes = 0;              // of experimenters, which only an export shows
+  int repeated_sessions = 0;  // in more than one file, taken once
+  int not_finite = 0;         // values that are infinite, taken for missing
 };
 
 // Reads databases of one study, read-only. Throws InputError, with the problems of

@@ -70,6 +70,13 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);
   results.summaries = summaries(results.data);
+  results.flow = flow_of(results.log, results.selection);
+  results.quality = quality_of(results.log, results.selection, results.data);
+  results.deviations = deviations_of(results.log, results.selection);
+  results.order = order_effects_of(results.log, results.data);
+  results.questionnaires =
+      read_questionnaires(databases, results.log, results.selection, results.data);
+  results.sensitivity = sensitivity_of(results.log, options, results.selection, results.data);
   return results;
 }
 

@@ -7,7 +7,13 @@
 #include <vector>
 
 #include "analysis/comparisons.h"
+#include "analysis/deviations.h"
+#include "analysis/flow.h"
+#include "analysis/order_effects.h"
+#include "analysis/quality.h"
+#include "analysis/questionnaire_results.h"
 #include "analysis/regret.h"
+#include "analysis/sensitivity.h"
 #include "analysis/summaries.h"
 
 namespace promenade::analysis {
@@ -21,6 +27,12 @@ struct Results {
   std::vector<Comparison> comparisons;
   std::vector<FailureRatio> failures;
   std::vector<Summary> summaries;
+  Flow flow;
+  Quality quality;
+  std::vector<Deviation> deviations;
+  OrderEffects order;
+  std::vector<QuestionnaireResult> questionnaires;
+  Sensitivity sensitivity;
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;

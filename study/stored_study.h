@@ -2,6 +2,8 @@
 // the very motions, whatever has become of the files since.
 #pragma once
 
+#include <vector>
+
 #include "study/study.h"
 
 namespace promenade::study {
@@ -13,5 +15,10 @@ class Database;
 // the program have changed; `sha256` is the stored one.
 StudyBundle read_stored_study(Database& database, const std::string& study_uuid,
                               const InterfaceRegistry& registry);
+
+// The instruments of all versions of the study alone, the newest version first: each name and
+// version once. One that this program cannot read any more is not among them. Of [[rating]]
+// the names of the items are known, and that they are scales.
+std::vector<Instrument> stored_instruments(Database& database);
 
 }  // namespace promenade::study

@@ -11,39 +11,11 @@ namespace promenade::analysis {
 using study::Database;
 using study::Statement;
 
-std::vector<std::string> columns_of(Database& database, std::string_view table) {
-  Statement row(database,
-                "SELECT name FROM pragma_table_info(?) WHERE type <> 'BLOB' OR ?1 = 'sample'");
-  row.bind(1, table);
-  std::vector<std::string> columns;
-  while (row.step()) columns.push_back(row.text(0));
-  return columns;
-}
-
-bool has_column(Database& database, std::string_view table, std::string_view column) {
-  Statement known(database, "SELECT 1 FROM pragma_table_info(?) WHERE name = ?");
-  return known.bind(1, table).bind(2, column).step();
-}
-
-std::string column_or(Database& database, std::string_view table, std::string_view column,
-                      std::string_view instead) {
-  const bool known = has_column(database, table, column);
-  return known ? std::string(table) + "." + std::string(column) : std::string(instead);
-}
-
 ExportColumn described(Database& database, std::string_view table, std::string_view column) {
   Statement row(database,
                 "SELECT unit, meaning FROM dictionary WHERE table_name = ? AND column_name = ?");
   if (!row.bind(1, table).bind(2, column).step()) return {"", std::string(column), "", ""};
   return {"", std::string(column), row.text(0), row.text(1)};
-}
-
-const study::Instrument* find_instrument(const std::vector<study::Instrument>& instruments,
-                                         std::string_view name, std::string_view version) {
-  const auto found = std::find_if(instruments.begin(), instruments.end(), [&](const auto& one) {
-    return one.name == name && one.version == version;
-  });
-  return found == instruments.end() ? nullptr : &*found;
 }
 
 std::vector<int> session_order(const Log& log) {

@@ -6,7 +6,9 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/columns.h"
 #include "analysis/dataset.h"
+#include "analysis/questionnaires.h"
 #include "study/instrument.h"
 #include "study/sqlite.h"
 
@@ -27,18 +29,8 @@ struct ExportSource {
   bool is_public = false;
 };
 
-// The columns of a table, or of the view that hides it, in their order.
-std::vector<std::string> columns_of(study::Database& database, std::string_view table);
-bool has_column(study::Database& database, std::string_view table, std::string_view column);
-// "column", or `instead` in databases of before there was one.
-std::string column_or(study::Database& database, std::string_view table, std::string_view column,
-                      std::string_view instead);
-
 // Unit and meaning from table `dictionary`; empty where it says nothing.
 ExportColumn described(study::Database& database, std::string_view table, std::string_view column);
-
-const study::Instrument* find_instrument(const std::vector<study::Instrument>& instruments,
-                                         std::string_view name, std::string_view version);
 
 // Every table that rows of people stand in comes session by session in this order: people by
 // code, each by start. Indices into Log::sessions.

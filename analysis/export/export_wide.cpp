@@ -5,7 +5,6 @@
 #include <map>
 #include <set>
 
-#include "analysis/export/export_answers.h"
 #include "analysis/item.h"
 #include "study/csv.h"
 
@@ -217,7 +216,7 @@ class WideMaker {
   }
 
   void add_answers() {
-    const std::vector<FilledPage> pages = filled_pages(source_);
+    const std::vector<FilledPage> pages = filled_pages(source_.database, source_.log, source_.selection);
     std::map<std::string, std::set<std::string>> moments;
     for (const FilledPage& page : pages) moments[page.instrument].insert(page.asked);
     Columns columns(data_.people.size());

@@ -9,7 +9,8 @@ namespace {
 Html shown(const std::vector<Section>& sections) {
   Html html;
   for (const Section& section : sections) {
-    if (!section.title.empty()) html += element("h2", section.title) + section.html;
+    if (section.title.empty()) continue;
+    html += element("h2", {{"id", anchor_of(section.title)}}, text(section.title)) + section.html;
   }
   return html;
 }
@@ -24,10 +25,10 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
               element("title", results.log.study + " — Promenade report") +
               element("style", trusted(page_css()));
   Html body = stripe(results);
-  body += element("main", headline(results) + flow_bar(results.selection) + panels(results) +
-                              buttons(results, figures) + figure_section(figures) +
-                              table_sections(results) + shown(sections) + method_section(results) +
-                              provenance_section(results, sections));
+  body += element("main", headline(results) + sensitivity_links(results) + flow_bar(results) +
+                              panels(results) + buttons(results, figures) +
+                              figure_section(figures) + table_sections(results) + shown(sections) +
+                              method_section(results) + provenance_section(results, sections));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
          "\n";

@@ -30,6 +30,11 @@ p { max-width: 82ch; }
 .flow .unfinished { background: #c3d0d9; }
 .flow .withdrawn { background: #e2e8ec; }
 .flow .declined { background: #fff; }
+.flow .no-show, .flow .replaced, .flow .expected { background: repeating-linear-gradient(45deg,
+  #fff 0 5px, #d5d9de 5px 8px); }
+.flow .expected { background: repeating-linear-gradient(45deg, #fff 0 9px, #d5d9de 9px 10px); }
+.sensitivity { margin: 8px 0; }
+.sensitivity a { color: var(--ink); }
 .flow ul { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 26px; margin: 8px 0 0;
   padding: 0; font-size: 15px; }
 .flow li i { display: inline-block; width: 13px; height: 13px; border: 1px solid var(--ink);

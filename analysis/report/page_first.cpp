@@ -222,6 +222,16 @@ Html link(const std::string& address, const std::string& label) {
   return element("a", {{"href", address}}, text(label));
 }
 
+// One part of the bar, as wide as it has people, and its line of the legend.
+void add_step(int count, const std::string& name, Html& bar, Html& legend) {
+  if (count > 0) {
+    bar += element("span", {{"class", name}, {"style", fmt::format("flex: {}", count)}},
+                   text(std::to_string(count)));
+  }
+  legend +=
+      element("li", element("i", {{"class", name}}, {}) + text(fmt::format("{} {}", count, name)));
+}
+
 }  // namespace
 
 Html stripe(const Results& results) {
@@ -265,22 +275,30 @@ Html headline(const Results& results) {
   return html;
 }
 
-Html flow_bar(const Selection& selection) {
-  Html bar;
-  Html legend =
-      element("li", count_of(size_of(selection.people), "participant", "participants") + " began");
-  for (const Disposition disposition :
-       {Disposition::declined, Disposition::withdrawn, Disposition::unfinished,
-        Disposition::excluded, Disposition::analysed}) {
-    const int count = selection.count(disposition);
-    if (count > 0) {
-      bar += element("span",
-                     {{"class", to_text(disposition)}, {"style", fmt::format("flex: {}", count)}},
-                     text(std::to_string(count)));
-    }
-    legend += element("li", element("i", {{"class", to_text(disposition)}}, {}) +
-                                text(fmt::format("{} {}", count, to_text(disposition))));
+Html sensitivity_links(const Results& results) {
+  Html html;
+  for (const std::string& sentence : results.sensitivity.sentences) {
+    html += element("p", {{"class", "sensitivity"}}, link("#sensitivity", unbroken(sentence)));
   }
+  return html;
+}
+
+Html flow_bar(const Results& results) {
+  const Flow& flow = results.flow;
+  const Selection& selection = results.selection;
+  Html bar, legend;
+  if (flow.booked > 0) {
+    legend += element("li", count_of(flow.booked, "place", "places") + " booked");
+    add_step(flow.no_show, "no-show", bar, legend);
+    if (flow.replaced > 0) add_step(flow.replaced, "replaced", bar, legend);
+    if (flow.expected > 0) add_step(flow.expected, "expected", bar, legend);
+  }
+  legend += element("li", count_of(flow.began, "participant", "participants") + " began");
+  add_step(flow.declined, "declined", bar, legend);
+  add_step(flow.withdrawn, "withdrawn", bar, legend);
+  add_step(flow.unfinished, "unfinished", bar, legend);
+  add_step(flow.excluded, "excluded", bar, legend);
+  add_step(flow.analysed, "analysed", bar, legend);
   if (selection.left_out_simulated > 0) {
     legend += element(
         "li", fmt::format("not in this report: {} simulated", selection.left_out_simulated));

@@ -9,7 +9,8 @@ namespace promenade::analysis {
 // page_first.cpp: what came out.
 Html stripe(const Results& results);  // nothing when all are people that count
 Html headline(const Results& results);
-Html flow_bar(const Selection& selection);
+Html sensitivity_links(const Results& results);  // nothing where nothing could be left out
+Html flow_bar(const Results& results);
 Html panels(const Results& results);  // dots per interface, triangle of pairs
 Html buttons(const Results& results, const std::vector<DrawnFigure>& figures);
 

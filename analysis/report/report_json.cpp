@@ -97,13 +97,23 @@ Json versions_json(const Log& log) {
   return versions;
 }
 
-Json participants_json(const Selection& selection) {
-  Json counts = {{"began", selection.people.size()}};
-  for (const Disposition disposition :
-       {Disposition::declined, Disposition::withdrawn, Disposition::unfinished,
-        Disposition::excluded, Disposition::analysed}) {
-    counts[to_text(disposition)] = selection.count(disposition);
-  }
+// "removed" are those of the withdrawn of whom nothing was kept.
+Json participants_json(const Results& results) {
+  const Flow& flow = results.flow;
+  const Selection& selection = results.selection;
+  const bool roster = flow.booked > 0;
+  const auto place = [&](int count) { return roster ? Json(count) : Json(); };
+  Json counts = {{"booked", place(flow.booked)},
+                 {"no_show", place(flow.no_show)},
+                 {"replaced", place(flow.replaced)},
+                 {"expected", place(flow.expected)},
+                 {"began", flow.began},
+                 {"declined", flow.declined},
+                 {"withdrawn", flow.withdrawn},
+                 {"removed", flow.removed},
+                 {"unfinished", flow.unfinished},
+                 {"excluded", flow.excluded},
+                 {"analysed", flow.analysed}};
   counts["left_out_simulated"] = selection.left_out_simulated;
   counts["left_out_pilot"] = selection.left_out_pilot;
   return counts;
@@ -149,7 +159,7 @@ std::string report_json(const Results& results, const std::vector<Section>& sect
                {"databases", files_json(results.log)},
                {"includes_simulated", results.selection.any_simulated()},
                {"includes_pilot", results.selection.any_pilot()},
-               {"participants", participants_json(results.selection)},
+               {"participants", participants_json(results)},
                {"interfaces", data.interfaces},
                {"tasks", tasks_json(data)},
                {"measures", measures_json(data)},

@@ -2,7 +2,22 @@
 
 namespace promenade::analysis {
 
-std::vector<Section> sections_of(const Results& results) { return {reach_section(results)}; }
+std::vector<Section> sections_of(const Results& results) {
+  return {
+      reach_section(results),      questionnaires_section(results), quality_section(results),
+      deviations_section(results), sensitivity_section(results),    order_section(results),
+  };
+}
+
+std::string anchor_of(const std::string& title) {
+  std::string anchor;
+  for (const char c : title) {
+    const bool upper = c >= 'A' && c <= 'Z';
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    anchor += upper ? static_cast<char>(c - 'A' + 'a') : plain ? c : '-';
+  }
+  return anchor;
+}
 
 std::vector<Table> all_tables(const Results& results, const std::vector<Section>& sections) {
   std::vector<Table> tables = make_tables(results);

@@ -103,11 +103,21 @@ Table summary_table(const Results& results) {
 Table participant_table(const Results& results) {
   Table table{"participants",
               "Everyone who began, and what became of them.",
-              {"participant", "status", "reason", "simulated", "pilot"},
+              {"participant", "status", "reason", "simulated", "pilot", "station", "sequence",
+               "study_version"},
               {}};
+  const Log& log = results.log;
   for (const Person& person : results.selection.people) {
-    table.rows.push_back({cell(person.code), cell(to_text(person.disposition)), cell(person.reason),
-                          cell(person.simulated), cell(person.pilot)});
+    std::vector<Cell> row = {cell(person.code), cell(to_text(person.disposition)),
+                             cell(person.reason), cell(person.simulated), cell(person.pilot)};
+    if (person.session < 0) {
+      row.resize(table.columns.size());
+    } else {
+      const LoggedSession& session = item(log.sessions, person.session);
+      row.insert(row.end(), {cell(session.station), cell(session.sequence),
+                             cell(item(log.versions, session.version).version)});
+    }
+    table.rows.push_back(std::move(row));
   }
   return table;
 }

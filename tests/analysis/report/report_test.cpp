@@ -82,8 +82,8 @@ TEST(Report, GivesTheStatusOfEveryoneAndTheReasonOfWhoIsExcluded) {
   write_file(folder.file("x.csv"), "P2,\"spoke, slept\"\n");
   report(folder, {false, false, folder.file("x.csv")});
   EXPECT_EQ(read_file(folder.file("out/tables/participants.csv")),
-            "participant,status,reason,simulated,pilot\n"
-            "P1,analysed,,0,0\nP2,excluded,\"spoke, slept\",0,0\n");
+            "participant,status,reason,simulated,pilot,station,sequence,study_version\n"
+            "P1,analysed,,0,0,1,0,1\nP2,excluded,\"spoke, slept\",0,0,1,0,1\n");
 }
 
 TEST(Report, IsTheSameByteForByteWhenMadeAgain) {

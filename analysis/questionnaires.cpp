@@ -1,8 +1,11 @@
-#include "analysis/export/export_answers.h"
+#include "analysis/questionnaires.h"
 
+#include <algorithm>
 #include <array>
 
+#include "analysis/columns.h"
 #include "analysis/item.h"
+#include "study/sqlite.h"
 
 namespace promenade::analysis {
 namespace {
@@ -37,15 +40,17 @@ study::ItemAnswer answer_in(const Statement& row) {
 
 }  // namespace
 
-std::vector<FilledPage> filled_pages(const ExportSource& source) {
-  Statement row(source.database, query_for(source.database));
+std::vector<FilledPage> filled_pages(study::Database& database, const Log& log,
+                                     const Selection& selection, int file) {
+  Statement row(database, query_for(database));
   std::vector<FilledPage> pages;
   int person = -1;
-  for (const Person& one : source.selection.people) {
+  for (const Person& one : selection.people) {
     if (one.disposition != Disposition::analysed) continue;
     ++person;
+    if (item(log.sessions, one.session).file != file) continue;
     std::map<std::array<std::string, 7>, int> known;
-    row.bind(1, item(source.log.sessions, one.session).uuid);
+    row.bind(1, item(log.sessions, one.session).uuid);
     while (row.step()) {
       const std::array key = {row.text(0), row.text(1), row.text(2), row.text(3),
                               row.text(4), row.text(5), row.text(7)};
@@ -65,6 +70,14 @@ std::vector<FilledPage> filled_pages(const ExportSource& source) {
     row.reset();
   }
   return pages;
+}
+
+const study::Instrument* find_instrument(const std::vector<study::Instrument>& instruments,
+                                         std::string_view name, std::string_view version) {
+  const auto found = std::find_if(instruments.begin(), instruments.end(), [&](const auto& one) {
+    return one.name == name && one.version == version;
+  });
+  return found == instruments.end() ? nullptr : &*found;
 }
 
 std::optional<double> score_of_page(const FilledPage& page, const study::Instrument& instrument,

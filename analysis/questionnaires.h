@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "analysis/export/export_parts.h"
+#include "analysis/log.h"
+#include "analysis/selection.h"
+#include "study/instrument.h"
 
 namespace promenade::analysis {
 
@@ -21,8 +23,14 @@ struct FilledPage {
                                                      // is the item "NAME:CHOICE"
 };
 
-// Those of the sessions that count, without what is about practice or was done again.
-std::vector<FilledPage> filled_pages(const ExportSource& source);
+// Those of the sessions that count and were taken from this file of the log, which is open,
+// without what is about practice or was done again; by person, each in the order of answers.
+std::vector<FilledPage> filled_pages(study::Database& database, const Log& log,
+                                     const Selection& selection, int file = 0);
+
+// Null: none of this name and version.
+const study::Instrument* find_instrument(const std::vector<study::Instrument>& instruments,
+                                         std::string_view name, std::string_view version);
 
 // Nothing where an item that it needs is missing.
 std::optional<double> score_of_page(const FilledPage& page, const study::Instrument& instrument,
