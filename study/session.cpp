@@ -177,7 +177,7 @@ void Session::Steps::next_page(std::int64_t t_us) {
   if (session.declined_) return end(t_us, Outcome::declined);
   if (repeat_practice(t_us)) return;
   if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
-  ++session.page_;
+  session.page_ = page_behind(session.page_);
   pass_won_trials(t_us);
   open_page(t_us);
 }

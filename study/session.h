@@ -78,6 +78,7 @@ struct Skip {
 struct Repeat {
   bool block = false;  // the whole block, else the trial that runs or ended last
   std::string reason;
+  bool with_guess = true;  // with the guess, where that has won the trial
 };
 // The program died and has been started again: first input after a replay of the log.
 struct Interrupted {
@@ -106,7 +107,8 @@ struct Input {
 // "won_by_guess" (a trial that its guess had already won), "practice_again" and
 // "practice_over" (value: successes; target: why) and "interrupted" (value: the gap in
 // seconds, target: the policy); of
-// the experimenter also "note", "release", "skip" and "repeat" (target: "trial" or "block");
+// the experimenter also "note", "release", "skip" and "repeat" (target: "trial", "block", or
+// "guess": the trial with the guess that had won it);
 // and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
 // {"first": true}, the first time that a control was touched in a trial, {"text": ...},
@@ -267,6 +269,7 @@ class Session {
   std::map<int, TrialOutcome> outcomes_;  // by trial: of its last attempt
   int practice_rounds_ = 0;               // of the block that runs, to criterion
   int last_begun_ = -1;                   // index into Plan::trials
+  int back_to_ = -1;  // the trial that follows, as its guess is done again; -1: the plan's
   // End states of guesses, by index into Plan::trials.
   std::map<int, std::unique_ptr<InterfaceState>> guesses_;
   bool begun_ = false;          // the first page has been logged
