@@ -161,12 +161,18 @@ struct TrialEnded {
   int clicks = 0, changes = 0, late_frames = 0;
   ProcessMeasures process;
 };
+// The last page is open: this is how the session ends, whenever that page is left; or it is
+// running again, because the experimenter had something repeated from there.
+struct SessionDecided {
+  std::int64_t t_us = 0;
+  Outcome outcome = Outcome::finished;
+};
 struct SessionEnded {
   std::int64_t t_us = 0;
   Outcome outcome = Outcome::finished;
 };
-using Record =
-    std::variant<TrialStarted, TrialSuperseded, Event, Sample, Answer, TrialEnded, SessionEnded>;
+using Record = std::variant<TrialStarted, TrialSuperseded, Event, Sample, Answer, TrialEnded,
+                            SessionDecided, SessionEnded>;
 
 // What undo takes back: the controls before each gesture, where a gesture is all that
 // is done to one control from one press of the mouse, or of a key, to the next.
@@ -190,7 +196,8 @@ struct LastTrial {
 
 // The running trial, for the screen.
 struct TrialState {
-  int index = 0;  // into Plan::trials
+  int index = 0;    // into Plan::trials
+  int attempt = 1;  // as in TrialStarted
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;  // in rate tasks one without controls
   History history;                            // of the controls
@@ -235,6 +242,8 @@ class Session {
   const Page& page() const;         // what is on screen
   const TrialState* trial() const;  // null outside trial pages
   Outcome outcome() const { return outcome_; }
+  // The same as soon as it is certain: from the last page on, while that is still open.
+  Outcome decided() const { return ended() ? outcome_ : decided_; }
   bool ended() const { return outcome_ != Outcome::running; }
   // The questions of this page, a questionnaire or a rate trial; null elsewhere.
   const Instrument* questions() const;
@@ -261,7 +270,7 @@ class Session {
   const InterfaceRegistry* registry_;
   Plan plan_;
   std::size_t page_ = 0;
-  Outcome outcome_ = Outcome::running;
+  Outcome outcome_ = Outcome::running, decided_ = Outcome::running;
   std::optional<TrialState> trial_;
   std::vector<ItemAnswer> answers_;
   std::vector<std::int64_t> answered_us_;  // when each was given

@@ -14,6 +14,7 @@ struct Session::Steps {
   void begin();
   void open_page(std::int64_t t_us);
   void next_page(std::int64_t t_us);
+  void decide(std::int64_t t_us);
   void end(std::int64_t t_us, Outcome outcome);
 
   // session_answers.cpp: questionnaires

@@ -221,6 +221,7 @@ TEST(Repeat, OfAMatchThatItsGuessHasWonIsAnotherGuess) {
   player.to_trial(24 * second);
   ASSERT_NE(player.session.trial(), nullptr);
   EXPECT_EQ(player.session.trial()->weights(0), 1);
+  EXPECT_EQ(player.all<TrialStarted>().size(), 6U);
 }
 
 TEST(Repeat, OfAMatchAsAnOldLogHasItStaysWithTheMatch) {
