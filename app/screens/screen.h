@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/live_session.h"
@@ -45,7 +46,7 @@ struct ScreenMemory {
   bool wants_end = false;     // and that was pressed
   bool back_again = false;    // the session goes on after an interruption
   std::optional<Orbit> told;  // the camera that was last reported
-  int camera_trial = -1;      // the trial that the camera was set for
+  std::pair<int, int> camera_attempt = {-1, 0};  // the trial and attempt the camera was set for
   Eigen::VectorXd example;    // scratch of the wall
   // The controls in the picture of the instructions, and the trial that they are for.
   std::unique_ptr<study::InterfaceState> pictured;
