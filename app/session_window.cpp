@@ -84,6 +84,8 @@ class Player {
  private:
   // The display is gone; the session waits as it does after a crash.
   std::string last_words() {
+    gui_.use();
+    if (view_) view_->settle(monotonic_us());
     live_.save();
     if (!live_.recorded()) return "the display went away before the session began; start it again";
     return "the display went away; the session until then is in " + setting_.database +

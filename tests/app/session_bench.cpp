@@ -118,6 +118,23 @@ void SessionBench::hold(int glfw_key, bool down) {
   frame();
 }
 
+void SessionBench::click_fast(int times) {
+  const Widget* stage = view_.widgets().find("stage", "stage");
+  if (stage == nullptr) throw std::logic_error("there is no stage");
+  queue_.push({.kind = UiEvent::Kind::move,
+               .x = stage->box.middle_x(),
+               .y = stage->box.middle_y(),
+               .t_us = now_us_});
+  for (int k = 0; k < 2 * times; ++k) {
+    queue_.push({.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0, .t_us = now_us_ + k});
+  }
+}
+
+void SessionBench::show_late() {
+  now_us_ += 100'000;
+  view_.shown({.shown_us = now_us_, .interval_us = 100'000, .work_us = 99'000, .late_us = 83'333});
+}
+
 void SessionBench::wheel(double notches) {
   queue_.push({.kind = UiEvent::Kind::wheel, .y = notches, .t_us = now_us_});
   frame();

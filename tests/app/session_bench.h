@@ -38,6 +38,8 @@ class SessionBench {
   void type(const std::string& text);
   void hold(int glfw_key, bool down);  // a key that others are pressed with
   void wheel(double notches);
+  void click_fast(int times);  // on the stage, all before the next frame
+  void show_late();            // a frame that took a tenth of a second
   void close_window() { view_.ask_to_close(now_us_); }
 
  private:
