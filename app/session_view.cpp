@@ -257,8 +257,28 @@ void SessionView::take_actions() {
   if (!chosen.empty() && chosen != language_) speak(chosen);
 }
 
+// Is the code on the welcome page in the roster? Then it is as the roster has it, with its order.
+bool SessionView::is_expected() {
+  if (!options_.ask_roster || live_.recorded()) return true;
+  try {
+    const RosterAnswer answer = options_.ask_roster(memory_.code.data());
+    memory_.code_unknown = answer.kind == RosterAnswer::Kind::unknown;
+    memory_.code_taken = answer.kind == RosterAnswer::Kind::taken;
+    if (answer.kind != RosterAnswer::Kind::welcome) return false;
+    assert(answer.row.code.size() < memory_.code.size() && "codes of a roster are short");
+    memory_.code.fill('\0');
+    std::copy(answer.row.code.begin(), answer.row.code.end(), memory_.code.begin());
+    live_.change_sequence(answer.row.sequence);
+    return true;
+  } catch (const std::exception& error) {
+    live_.fail(error.what());
+    return false;
+  }
+}
+
 void SessionView::leave_welcome() {
   memory_.wants_start = false;
+  if (!is_expected()) return;
   const std::string code = memory_.code.data();
   for (const study::InterruptedSession& one : options_.interrupted) {
     if (one.participant == code && !live_.recorded()) {

@@ -2,10 +2,12 @@
 // and what they say to the session. The tests play whole sessions with it.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/gui.h"
 #include "app/live_session.h"
+#include "app/roster_place.h"
 #include "app/screens/screen.h"
 #include "app/window/input_queue.h"
 #include "app/window/shown_frame.h"
@@ -17,6 +19,8 @@ struct ViewOptions {
   std::string participant;      // empty: the welcome page asks
   bool pilot = false, simulated = false;
   std::vector<study::InterruptedSession> interrupted = {};  // here, of this kind
+  // What a roster says to a code; empty: there is none, and every code is good.
+  std::function<RosterAnswer(const std::string& typed)> ask_roster = {};
 };
 
 // Every text that the pages can show, in every language of the study.
@@ -70,6 +74,7 @@ class SessionView {
   void take_presses();
   void take_actions();
   void leave_welcome();
+  bool is_expected();
   void resume(const std::string& uuid, std::int64_t now_us);
   void refuse_offers();
   void speak(const std::string& language);

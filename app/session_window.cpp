@@ -74,6 +74,7 @@ class Player {
     if (live_.failure()) throw OutsideError(*live_.failure());
     return {.outcome = live_.session().outcome(),
             .recorded = live_.recorded(),
+            .participant = live_.participant(),
             .interrupted = interrupted_,
             .frame_median = quantile_ms(times.interval_us, 0.5),
             .frame_p99 = quantile_ms(times.interval_us, 0.99),
@@ -104,6 +105,7 @@ class Player {
   ViewOptions view_options(study::Store& store) const {
     const bool simulated = setting_.autopilot.has_value();
     ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
+    options.ask_roster = setting_.ask_roster;
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
       const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
       if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));

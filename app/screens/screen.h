@@ -33,6 +33,8 @@ struct ScreenMemory {
   // Being typed; the longest code has room at four bytes a character.
   std::array<char, 4 * longest_participant_code + 1> code{};
   bool code_known = false;    // somebody has taken part with it: is it the same person?
+  bool code_unknown = false;  // it is not in the roster
+  bool code_taken = false;    // it is, and nobody can begin with it any more
   bool same_person = false;   // that was answered with yes
   // Sessions that were interrupted here; empty: none, or a new one is to begin.
   std::vector<study::InterruptedSession> offered;

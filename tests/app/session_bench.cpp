@@ -26,7 +26,7 @@ study::StudyBundle bundle_of(const std::string& text) {
 }  // namespace
 
 SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
-                           const std::string& study_text)
+                           const std::string& study_text, const Roster& roster)
     : file_(fresh_file()),
       bundle_(bundle_of(study_text)),
       store_(file_, bundle_),
@@ -36,7 +36,7 @@ SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
                            language.empty()),
             store_, header_of(language), now_us_),
       view_((gui_.fit(1280, 720), bundle_), interfaces(), gui_, live_, queue_,
-            {language, "", false, true}),
+            {language, "", false, true, {}, roster}),
       autopilot_(study::SimulatedParticipant(bundle_, interfaces(), seed), "S001") {
   unsigned char* pixels = nullptr;
   int width = 0;

@@ -13,9 +13,10 @@ namespace promenade::app::bench {
 
 class SessionBench {
  public:
+  using Roster = decltype(ViewOptions::ask_roster);
   // Without a language the first page asks; without a study it is the demo.
   explicit SessionBench(const std::string& language = "en", std::uint64_t seed = 1,
-                        const std::string& study_text = "");
+                        const std::string& study_text = "", const Roster& roster = {});
   ~SessionBench();
 
   void frame();  // 1/60 s

@@ -50,6 +50,46 @@ TEST(SessionView, ATypedCodeLeadsToTheConsent) {
   EXPECT_EQ(count(bench, "participant WHERE code = 'P07'"), 1);
 }
 
+// A roster with one code that is free and one that is not.
+RosterAnswer toy_roster(const std::string& typed) {
+  if (typed == "k7q4s") {
+    return {RosterAnswer::Kind::welcome, {"K7Q4S", "1", 5, study::Attendance::booked, ""}};
+  }
+  return {typed == "gone" ? RosterAnswer::Kind::taken : RosterAnswer::Kind::unknown};
+}
+
+TEST(WelcomeWithARoster, TakesItsCodesWithTheirOrder) {
+  SessionBench bench("en", 1, "", toy_roster);
+  bench.type("k7q4s");
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::consent);
+  EXPECT_EQ(count(bench,
+                  "session JOIN participant ON participant.uuid = session.participant "
+                  "WHERE code = 'K7Q4S' AND sequence = 5"),
+            1);
+}
+
+TEST(WelcomeWithARoster, BeginsNothingWithACodeThatIsUnknownOrTaken) {
+  for (const char* code : {"other", "gone"}) {
+    SessionBench bench("en", 1, "", toy_roster);
+    bench.type(code);
+    bench.click("continue");
+    EXPECT_EQ(bench.session().page().kind, PageKind::welcome) << code;
+    EXPECT_EQ(count(bench, "session"), 0) << code;
+  }
+}
+
+TEST(WelcomeWithARoster, EndsWithAMessageWhenItCannotBeRead) {
+  SessionBench bench("en", 1, "", [](const std::string&) -> RosterAnswer {
+    throw OutsideError("the stick is gone");
+  });
+  bench.type("k7q4s");
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::welcome);
+  bench.click("continue");
+  EXPECT_TRUE(bench.view().ended());
+}
+
 TEST(SessionView, DecliningEndsItPolitely) {
   SessionBench bench;
   bench.type("P07");
