@@ -7,6 +7,7 @@
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "app/second_copy.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
 #include "app/window/display_loss.h"
@@ -201,13 +202,12 @@ class Player {
   void copy_on_last_page() {
     const study::PageKind page = live_.session().page().kind;
     const bool last = page == study::PageKind::thanks || page == study::PageKind::declined;
-    if (!last || copied_ || !live_.recorded()) return;
-    copied_ = true;
+    if (const auto problem = copy_.problem()) view_->tell_copy_problem(*problem);
+    if (!last || copy_.started() || !live_.recorded()) return;
     live_.save();
-    if (auto problem =
-            study::second_copy_problem(setting_.bundle, setting_.database, setting_.station)) {
-      view_->tell_copy_problem(*problem);
-    }
+    copy_.start([&setting = setting_] {
+      return study::second_copy_problem(setting.bundle, setting.database, setting.station);
+    });
   }
 
   // By accident, perhaps; nobody is there to be asked when the participant is simulated.
@@ -232,7 +232,7 @@ class Player {
   std::unique_ptr<ExamplesWindow> examples_;
   std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
-  bool copied_ = false;
+  SecondCopy copy_;  // its thread ends before all else does
 };
 
 }  // namespace
