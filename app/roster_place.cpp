@@ -22,8 +22,8 @@ std::vector<RosterRow> rows_of(const RosterCheck& check) {
 
 const RosterRow* row_of(const std::string& typed, const std::vector<RosterRow>& rows) {
   const std::string code = study::tidy_code(typed);
-  const auto row =
-      std::find_if(rows.begin(), rows.end(), [&](const RosterRow& one) { return one.code == code; });
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [&](const RosterRow& one) { return one.code == code; });
   return row == rows.end() ? nullptr : &*row;
 }
 

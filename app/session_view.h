@@ -59,7 +59,7 @@ class SessionView {
   const Focus& focus() const { return focus_; }
 
  private:
-  bool covered() const;  // by a page without figures
+  bool covered() const;            // by a page without figures
   void pass(std::int64_t now_us);  // one change of a button or a key
   int cover() const;
   bool has_turned() const;  // since the last pass
@@ -99,7 +99,7 @@ class SessionView {
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;
   std::int64_t shown_us_ = -1, shown_before_us_ = -1;
-  std::vector<ShownFrame> late_;         // not logged yet: events wait that came before
+  std::vector<ShownFrame> late_;       // not logged yet: events wait that came before
   const study::Page* page_ = nullptr;  // of the frame before
   int cover_ = 0;                      // and what covered it
   std::string copy_problem_;           // empty: none

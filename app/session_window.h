@@ -29,7 +29,7 @@ struct SessionSetting {
 
 struct SessionResult {
   study::Outcome outcome = study::Outcome::running;
-  bool recorded = false;  // there was a code, and the session is in the database
+  bool recorded = false;         // there was a code, and the session is in the database
   std::string participant = {};  // the code
   std::optional<std::string> copy_problem = {};  // why the study's second copy could not be made
   bool interrupted = false;  // by Ctrl-C or another signal, not by the participant

@@ -71,7 +71,8 @@ void take_place(const Options& options, SessionSetting& setting) {
   setting.sequence = row.sequence;
 }
 
-// That it failed is no reason to lose sight of the session: `roster --done-in` finds it all the same.
+// That it failed is no reason to lose sight of the session: `roster --done-in` finds it all the
+// same.
 void leave_place(const Options& options, const SessionSetting& setting,
                  const SessionResult& result) {
   if (options.roster.empty() || !result.recorded) return;

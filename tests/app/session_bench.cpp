@@ -126,7 +126,8 @@ void SessionBench::click_fast(int times) {
                .y = stage->box.middle_y(),
                .t_us = now_us_});
   for (int k = 0; k < 2 * times; ++k) {
-    queue_.push({.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0, .t_us = now_us_ + k});
+    queue_.push(
+        {.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0, .t_us = now_us_ + k});
   }
 }
 

@@ -194,9 +194,8 @@ TEST_F(FastClicks, NeverReachAPageThatNobodyHasSeen) {
   bench_.key(GLFW_KEY_ESCAPE);
   const Widget* resume = bench_.view().widgets().find("press", "resume");
   ASSERT_NE(resume, nullptr);
-  bench_.queue().push({.kind = UiEvent::Kind::move,
-                       .x = resume->box.middle_x(),
-                       .y = resume->box.middle_y()});
+  bench_.queue().push(
+      {.kind = UiEvent::Kind::move, .x = resume->box.middle_x(), .y = resume->box.middle_y()});
   for (int k = 0; k < 8; ++k) {
     bench_.queue().push({.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0});
   }

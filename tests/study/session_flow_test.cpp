@@ -192,7 +192,8 @@ Player two_won_matches(const StudyBundle& bundle) {
   for (std::int64_t t = 1; player.session.page().kind != PageKind::thanks; t += 2) {
     if (!player.session.trial()) player.to_trial(t * second);
     const auto index = static_cast<std::size_t>(player.session.trial()->index);
-    player.at(t * second, toy::pick(player.session.plan().trials[index].target == 0 ? "far" : "side"));
+    player.at(t * second,
+              toy::pick(player.session.plan().trials[index].target == 0 ? "far" : "side"));
     player.at((t + 1) * second, Done{});
   }
   return player;
