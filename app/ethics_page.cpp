@@ -231,10 +231,16 @@ void tell_place(Document& page, const Study& study) {
       "a newer version of the program that changes the tables keeps a copy of the "
       "file beside it, FILE.v1.backup");
   page.list(places);
+  if (study.safety.keep.empty()) {
+    page.paragraph(
+        "How long the data are kept: the study file does not say. State it there, as keep = "
+        "\"10 years after publication\" under [safety], and make this page again.");
+  } else {
+    page.paragraph("How long the data are kept: " + study.safety.keep + " ([safety] keep).");
+  }
   page.paragraph(
-      "The program deletes nothing on its own: data are kept until the researchers "
-      "delete these files. How long that is, and who may see them, is for the "
-      "researchers to say here.");
+      "The program deletes nothing on its own: the researchers delete these files when that "
+      "time is over. Who may see them until then is for the researchers to say here.");
 }
 
 void tell_withdrawal(Document& page, const Study& study) {

@@ -42,6 +42,12 @@ class LiveSession {
   // nothing is stored yet. Takes the next free order when another session took ours;
   // a simulated participant takes the next free code as well.
   bool record_as(const std::string& participant, bool must_be_new);
+  // Another order, before anything is recorded.
+  void change_sequence(int sequence) { session_.change_sequence(sequence); }
+  // The session cannot go on, for this reason.
+  void fail(const std::string& reason) {
+    if (!failure_) failure_ = reason;
+  }
   bool recorded() const { return recorded_; }
   bool resumed() const { return resumed_; }
   const std::string& participant() const { return header_.participant; }

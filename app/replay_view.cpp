@@ -111,7 +111,8 @@ void ReplayView::draw_page() {
   actions_.clear();
   changes_.clear();
   // The camera is the log's.
-  memory_.camera_trial = player_.session().trial()->index;
+  const study::TrialState& trial = *player_.session().trial();
+  memory_.camera_attempt = {trial.index, trial.attempt};
   memory_.told = player_.stage().orbit();
   draw_screen({.ui = {gui_.look(), gui_.layout(), widgets_, focus_},
                .bundle = bundle_,

@@ -1,7 +1,9 @@
 // The place of a participant in a roster, as `run --roster` takes it.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "study/roster.h"
 #include "study/session.h"
@@ -20,7 +22,22 @@ struct RosterCheck {
 // Throws InputError when the code is not in the roster, or its place is taken.
 study::RosterRow roster_place(const RosterCheck& check);
 
-// Puts the row into the database, as done when the session finished.
-void store_place(const std::string& database, study::RosterRow row, study::Outcome outcome);
+// What the welcome page is told of a code.
+struct RosterAnswer {
+  enum class Kind { welcome, unknown, taken };
+  Kind kind = Kind::unknown;
+  study::RosterRow row = {};  // of who is welcome
+};
+// The same of who types the code on that page; for `taken` the reason goes to stderr. Throws
+// OutsideError when the roster or the database cannot be read.
+RosterAnswer ask_roster(const RosterCheck& check);
+
+// The first who is expected at this station and has not come, for a simulated participant.
+// Throws InputError when there is none.
+study::RosterRow next_place(RosterCheck check);
+
+// Puts the row of this code into the database, as done when the session finished. A code that is
+// not in the roster has none: its session was begun without it.
+void store_place(const RosterCheck& check, study::Outcome outcome);
 
 }  // namespace promenade::app

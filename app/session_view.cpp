@@ -13,6 +13,7 @@ namespace {
 using study::PageKind;
 
 constexpr const char* closed_by_hand = "window closed";
+constexpr int most_passes = 32;  // in one frame
 
 std::vector<OfferedLanguage> offered(const study::StudyBundle& bundle) {
   std::vector<OfferedLanguage> languages;
@@ -153,14 +154,21 @@ void SessionView::take_presses() {
   }
 }
 
+int SessionView::cover() const {
+  return (live_.session().paused() ? 1 : 0) + (memory_.panel.open ? 2 : 0);
+}
+
+bool SessionView::has_turned() const {
+  return page_ != &live_.session().page() || cover_ != cover();
+}
+
 // Another page, or one that covers it; what was written belongs to its own page.
 bool SessionView::is_fresh() {
   const study::Session& session = live_.session();
   const bool turned = page_ != &session.page();
-  const int cover = (session.paused() ? 1 : 0) + (memory_.panel.open ? 2 : 0);
-  const bool covered = cover_ != cover;
+  const bool covered = cover_ != cover();
   page_ = &session.page();
-  cover_ = cover;
+  cover_ = cover();
   if (turned) {
     memory_.drafts.clear();
     memory_.orders.clear();
@@ -169,6 +177,23 @@ bool SessionView::is_fresh() {
 }
 
 void SessionView::frame(std::int64_t now_us) {
+  const bool seen = !has_turned();
+  pass(now_us);
+  for (int k = 1; seen && k < most_passes && !queue_.empty() && !has_turned() && !ended(); ++k) {
+    pass(now_us);
+  }
+  take_late_frames(queue_.settled_us(now_us));
+  live_.tick(queue_.settled_us(now_us));
+  live_.flush(now_us);
+}
+
+void SessionView::settle(std::int64_t now_us) {
+  while (!queue_.empty() && !ended()) pass(now_us);
+  take_late_frames(now_us);
+}
+
+void SessionView::pass(std::int64_t now_us) {
+  take_late_frames(queue_.settled_us(now_us));
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = std::max(1e-4f, 1e-6f * static_cast<float>(now_us - drawn_us_));
   drawn_us_ = now_us;
@@ -209,8 +234,6 @@ void SessionView::frame(std::int64_t now_us) {
                .changes = changes_});
   ImGui::Render();
   take_actions();
-  live_.tick(queue_.settled_us(now_us));
-  live_.flush(now_us);
 }
 
 void SessionView::take_actions() {
@@ -225,7 +248,7 @@ void SessionView::take_actions() {
     closed_ = closed_ || !actions_.empty();
     return;
   }
-  if (memory_.wants_end) return stop(closed_by_hand, moment.t_us, study::Actor::participant);
+  if (memory_.wants_end) return end(closed_by_hand, moment.t_us, study::Actor::participant);
   for (StudyAction& action : actions_) live_.take(std::move(action), moment);
   for (StudyAction& order : orders_) {
     live_.take(std::move(order), moment, study::Actor::experimenter);
@@ -234,8 +257,28 @@ void SessionView::take_actions() {
   if (!chosen.empty() && chosen != language_) speak(chosen);
 }
 
+// Is the code on the welcome page in the roster? Then it is as the roster has it, with its order.
+bool SessionView::is_expected() {
+  if (!options_.ask_roster || live_.recorded()) return true;
+  try {
+    const RosterAnswer answer = options_.ask_roster(memory_.code.data());
+    memory_.code_unknown = answer.kind == RosterAnswer::Kind::unknown;
+    memory_.code_taken = answer.kind == RosterAnswer::Kind::taken;
+    if (answer.kind != RosterAnswer::Kind::welcome) return false;
+    assert(answer.row.code.size() < memory_.code.size() && "codes of a roster are short");
+    memory_.code.fill('\0');
+    std::copy(answer.row.code.begin(), answer.row.code.end(), memory_.code.begin());
+    live_.change_sequence(answer.row.sequence);
+    return true;
+  } catch (const std::exception& error) {
+    live_.fail(error.what());
+    return false;
+  }
+}
+
 void SessionView::leave_welcome() {
   memory_.wants_start = false;
+  if (!is_expected()) return;
   const std::string code = memory_.code.data();
   for (const study::InterruptedSession& one : options_.interrupted) {
     if (one.participant == code && !live_.recorded()) {
@@ -275,19 +318,35 @@ void SessionView::shown(const ShownFrame& frame) {
   shown_before_us_ = shown_us_;
   shown_us_ = frame.shown_us;
   live_.count(frame);
-  if (frame.late_us > 0 && live_.session().trial() != nullptr) {
-    live_.take(study::LateFrame{frame.late_us}, {.t_us = shown_us_, .frame_us = shown_us_},
-               study::Actor::system);
-  }
+  if (frame.late_us > 0 && live_.session().trial() != nullptr) late_.push_back(frame);
+  take_late_frames(queue_.settled_us(shown_us_));
   live_.flush(shown_us_);
 }
 
+// In the order of the times: what is logged later than it came gets a later time.
+void SessionView::take_late_frames(std::int64_t until_us) {
+  while (!late_.empty() && late_.front().shown_us <= until_us) {
+    const ShownFrame frame = late_.front();
+    late_.erase(late_.begin());
+    if (live_.session().trial() == nullptr) continue;
+    live_.take(study::LateFrame{frame.late_us},
+               {.t_us = frame.shown_us, .frame_us = frame.shown_us}, study::Actor::system);
+  }
+}
+
 void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {
-  if (!ended()) live_.take(study::Stop{reason}, {.t_us = now_us, .frame_us = shown_us_}, actor);
+  settle(now_us);
+  end(reason, now_us, actor);
+}
+
+void SessionView::end(const std::string& reason, std::int64_t t_us, study::Actor actor) {
+  if (!ended()) live_.take(study::Stop{reason}, {.t_us = t_us, .frame_us = shown_us_}, actor);
   closed_ = true;
 }
 
 void SessionView::ask_to_close(std::int64_t now_us) {
+  settle(now_us);
+  if (ended()) return;
   const bool again = memory_.asks_to_end && live_.session().paused();
   const bool can_pause = app::can_pause(live_.session().page().kind) && !live_.failure();
   if (again || !can_pause) return stop(closed_by_hand, now_us, study::Actor::participant);

@@ -2,10 +2,12 @@
 // and what they say to the session. The tests play whole sessions with it.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/gui.h"
 #include "app/live_session.h"
+#include "app/roster_place.h"
 #include "app/screens/screen.h"
 #include "app/window/input_queue.h"
 #include "app/window/shown_frame.h"
@@ -17,6 +19,8 @@ struct ViewOptions {
   std::string participant;      // empty: the welcome page asks
   bool pilot = false, simulated = false;
   std::vector<study::InterruptedSession> interrupted = {};  // here, of this kind
+  // What a roster says to a code; empty: there is none, and every code is good.
+  std::function<RosterAnswer(const std::string& typed)> ask_roster = {};
 };
 
 // Every text that the pages can show, in every language of the study.
@@ -29,15 +33,19 @@ class SessionView {
 
   // Lets the figures walk on, as the session now is.
   void advance(std::int64_t now_us);
-  // Takes in the events, draws the page and steps the session. Leaves the drawing
-  // in ImGui::GetDrawData.
+  // Takes in the events, draws the page and steps the session: again for each change of a
+  // button or a key that waits, as long as the page stays, for nobody has seen another one.
+  // Leaves the drawing in ImGui::GetDrawData.
   void frame(std::int64_t now_us);
+  // Takes in all that has arrived, whatever page it leads to: nothing comes after.
+  void settle(std::int64_t now_us);
   // A frame was put on screen.
   void shown(const ShownFrame& frame);
   // The window is to be closed. Where there can be a pause it opens one that offers the end
   // of the session; asked there again, or anywhere else, the session is over.
   void ask_to_close(std::int64_t now_us);
-  // `actor`: the participant who closed the window, or the experimenter.
+  // What arrived before comes first. `actor`: the participant who closed the window, or the
+  // experimenter.
   void stop(const std::string& reason, std::int64_t now_us, study::Actor actor);
   bool ended() const;
   // The last page says from now on that there is no second copy of the database, and why.
@@ -51,8 +59,13 @@ class SessionView {
   const Focus& focus() const { return focus_; }
 
  private:
-  bool covered() const;  // by a page without figures
+  bool covered() const;            // by a page without figures
+  void pass(std::int64_t now_us);  // one change of a button or a key
+  int cover() const;
+  bool has_turned() const;  // since the last pass
   bool is_fresh();
+  void take_late_frames(std::int64_t until_us);
+  void end(const std::string& reason, std::int64_t t_us, study::Actor actor);
   bool has_panel() const;
   Cast cast() const;
   StagePlan stage_plan() const;
@@ -61,6 +74,7 @@ class SessionView {
   void take_presses();
   void take_actions();
   void leave_welcome();
+  bool is_expected();
   void resume(const std::string& uuid, std::int64_t now_us);
   void refuse_offers();
   void speak(const std::string& language);
@@ -85,6 +99,7 @@ class SessionView {
   std::vector<study::ControlInput> changes_;
   std::int64_t drawn_us_ = 0;
   std::int64_t shown_us_ = -1, shown_before_us_ = -1;
+  std::vector<ShownFrame> late_;       // not logged yet: events wait that came before
   const study::Page* page_ = nullptr;  // of the frame before
   int cover_ = 0;                      // and what covered it
   std::string copy_problem_;           // empty: none

@@ -7,6 +7,7 @@
 #include "app/examples_window.h"
 #include "app/print.h"
 #include "app/registry.h"
+#include "app/second_copy.h"
 #include "app/session_view.h"
 #include "app/window/clock.h"
 #include "app/window/display_loss.h"
@@ -74,6 +75,7 @@ class Player {
     if (live_.failure()) throw OutsideError(*live_.failure());
     return {.outcome = live_.session().outcome(),
             .recorded = live_.recorded(),
+            .participant = live_.participant(),
             .interrupted = interrupted_,
             .frame_median = quantile_ms(times.interval_us, 0.5),
             .frame_p99 = quantile_ms(times.interval_us, 0.99),
@@ -84,6 +86,8 @@ class Player {
  private:
   // The display is gone; the session waits as it does after a crash.
   std::string last_words() {
+    gui_.use();
+    if (view_) view_->settle(monotonic_us());
     live_.save();
     if (!live_.recorded()) return "the display went away before the session began; start it again";
     return "the display went away; the session until then is in " + setting_.database +
@@ -102,6 +106,7 @@ class Player {
   ViewOptions view_options(study::Store& store) const {
     const bool simulated = setting_.autopilot.has_value();
     ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
+    options.ask_roster = setting_.ask_roster;
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
       const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
       if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
@@ -197,13 +202,12 @@ class Player {
   void copy_on_last_page() {
     const study::PageKind page = live_.session().page().kind;
     const bool last = page == study::PageKind::thanks || page == study::PageKind::declined;
-    if (!last || copied_ || !live_.recorded()) return;
-    copied_ = true;
+    if (const auto problem = copy_.problem()) view_->tell_copy_problem(*problem);
+    if (!last || copy_.started() || !live_.recorded()) return;
     live_.save();
-    if (auto problem =
-            study::second_copy_problem(setting_.bundle, setting_.database, setting_.station)) {
-      view_->tell_copy_problem(*problem);
-    }
+    copy_.start([&setting = setting_] {
+      return study::second_copy_problem(setting.bundle, setting.database, setting.station);
+    });
   }
 
   // By accident, perhaps; nobody is there to be asked when the participant is simulated.
@@ -228,7 +232,7 @@ class Player {
   std::unique_ptr<ExamplesWindow> examples_;
   std::int64_t examples_due_us_ = 0;
   bool interrupted_ = false;
-  bool copied_ = false;
+  SecondCopy copy_;  // its thread ends before all else does
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/live_session.h"
+#include "app/roster_place.h"
 #include "app/window/input_queue.h"
 
 namespace promenade::app {
@@ -22,11 +23,14 @@ struct SessionSetting {
   std::function<void(const UiEvent&)> watch_input = {};
   std::string trace = {};            // Store::trace_to; empty: none
   std::optional<int> sequence = {};  // the order that a roster gives; nothing: the next one
+  // What a roster says to a code on the welcome page; empty: there is none.
+  std::function<RosterAnswer(const std::string& typed)> ask_roster = {};
 };
 
 struct SessionResult {
   study::Outcome outcome = study::Outcome::running;
-  bool recorded = false;  // there was a code, and the session is in the database
+  bool recorded = false;         // there was a code, and the session is in the database
+  std::string participant = {};  // the code
   std::optional<std::string> copy_problem = {};  // why the study's second copy could not be made
   bool interrupted = false;  // by Ctrl-C or another signal, not by the participant
   // Milliseconds; 0 when there were too few frames.

@@ -50,7 +50,7 @@ void TrialPlayer::restart() {
   stage_.restart();
   next_ = 0;
   t_us_ = 0;
-  camera_trial_ = -1;
+  camera_attempt_ = {-1, 0};
   // Trials are logged as they begin.
   for (int begun = -1; begun < index_ && next_ < end_;) {
     for (const study::Record& record : take_step()) {
@@ -76,8 +76,8 @@ std::vector<study::Record> TrialPlayer::take_step() {
 // What the screen did with it: as the trial's page does (app/screens/trial.cpp).
 void TrialPlayer::follow(const study::Input& input) {
   const study::TrialState* trial = session_->trial();
-  if (trial != nullptr && trial->index != camera_trial_) {
-    camera_trial_ = trial->index;
+  if (trial != nullptr && std::pair(trial->index, trial->attempt) != camera_attempt_) {
+    camera_attempt_ = {trial->index, trial->attempt};
     stage_.orbit() = {};
     stage_.pace() = {};
   }

@@ -54,7 +54,7 @@ class TrialPlayer {
   std::int64_t length_us_ = 0, t_us_ = 0;
   std::optional<study::Session> session_;
   Stage stage_;
-  int camera_trial_ = -1;  // the trial that the camera is set for
+  std::pair<int, int> camera_attempt_;  // the trial and attempt that the camera is set for
   std::optional<Pressed> pressed_;
   Eigen::VectorXd next_weights_;  // scratch
   motion::PoseBlend blend_;       // of the weights that are shown

@@ -67,7 +67,9 @@ std::optional<Action> action_of(const Event& event) {
   }
   if (event.kind == "note") return Note{detail.value("text", "")};
   if (event.kind == "skip") return Skip{detail.value("reason", "")};
-  if (event.kind == "repeat") return Repeat{event.target == "block", detail.value("reason", "")};
+  if (event.kind == "repeat") {
+    return Repeat{event.target == "block", detail.value("reason", ""), event.target == "guess"};
+  }
   if (event.kind == "interrupted") {
     return Interrupted{std::llround(1e6 * event.value.value_or(0)), resume_policy_of(event.target)};
   }

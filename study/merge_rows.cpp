@@ -107,9 +107,14 @@ std::string session_digest(Database& database, const std::string& session) {
 }
 
 bool has_gone_on(Database& shorter, Database& longer, const std::string& session) {
-  const std::string outcome =
-      text_in(shorter, "SELECT outcome FROM session WHERE uuid = ?", session);
-  if (outcome != "running") return false;
+  // Or its outcome was certain, and its last page open.
+  const std::string open =
+      text_in(shorter,
+              "SELECT outcome = 'running' OR NOT EXISTS (SELECT 1 FROM event WHERE session = "
+              "one.uuid AND kind IN ('continue', 'stop') AND seq > (SELECT max(seq) FROM event "
+              "WHERE session = one.uuid AND kind = 'page')) FROM session AS one WHERE uuid = ?",
+              session);
+  if (open != "1") return false;
   // Events are only ever added.
   const std::string before = text_of(shorter, event_rows, session);
   const std::string after = text_of(longer, event_rows, session);

@@ -193,7 +193,11 @@ void refuse_taken_place(const std::string& what, Database& database, const Roste
 
 int mark_done(Database& database, std::vector<RosterRow>& rows) {
   check_database(database);
-  Statement done(database, "SELECT code FROM roster WHERE state = 'done'");
+  // Its row is written after the session: the program may have died between.
+  Statement done(database,
+                 "SELECT code FROM roster WHERE state = 'done' UNION SELECT code FROM session "
+                 "JOIN participant ON participant.uuid = session.participant WHERE pilot = 0 AND "
+                 "outcome = 'finished'");
   int marked = 0;
   while (done.step()) {
     const auto row = std::find_if(rows.begin(), rows.end(),

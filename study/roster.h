@@ -58,7 +58,8 @@ std::string roster_csv(const std::vector<RosterRow>& rows);
 void refuse_taken_place(const std::string& what, Database& database, const RosterRow& row,
                         bool simulated);
 
-// Marks as done whom the table `roster` of a database says to be done; how many were not before.
+// Marks as done whom the table `roster` of a database says to be done, and who finished a session
+// there that is no pilot; how many were not before.
 int mark_done(Database& database, std::vector<RosterRow>& rows);
 
 // Puts the row into table `roster`, or what has changed of it.

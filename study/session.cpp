@@ -165,6 +165,7 @@ void Session::Steps::open_page(std::int64_t t_us) {
   const bool planned = page.kind != PageKind::declined && page.kind != PageKind::language;
   if (planned) event.value = static_cast<double>(session.page_);
   session.opened_us_ = t_us;
+  decide(t_us);
   if (page.kind == PageKind::trial) {
     open_trial(t_us);
   } else {
@@ -172,12 +173,22 @@ void Session::Steps::open_page(std::int64_t t_us) {
   }
 }
 
+void Session::Steps::decide(std::int64_t t_us) {
+  const PageKind page = session.page().kind;
+  Outcome outcome = Outcome::running;
+  if (page == PageKind::thanks) outcome = Outcome::finished;
+  if (page == PageKind::declined) outcome = Outcome::declined;
+  if (outcome == session.decided_) return;
+  session.decided_ = outcome;
+  records.emplace_back(SessionDecided{t_us, outcome});
+}
+
 void Session::Steps::next_page(std::int64_t t_us) {
   if (session.page().kind != PageKind::trial) session.just_ended_.reset();
   if (session.declined_) return end(t_us, Outcome::declined);
   if (repeat_practice(t_us)) return;
   if (session.page_ + 1 >= session.plan_.pages.size()) return end(t_us, Outcome::finished);
-  ++session.page_;
+  session.page_ = page_behind(session.page_);
   pass_won_trials(t_us);
   open_page(t_us);
 }
@@ -216,12 +227,11 @@ void Session::Steps::act(const Decline&) {
 
 void Session::Steps::act(const Stop& stop) {
   log("stop").detail = json_text("reason", stop.reason);
-  const PageKind page = session.page().kind;
   emit_answers();
   if (session.trial_) end_trial(input.t_us, TrialOutcome::aborted);
   // Whoever closes the last page has finished.
-  if (page == PageKind::declined) return end(input.t_us, Outcome::declined);
-  end(input.t_us, page == PageKind::thanks ? Outcome::finished : Outcome::stopped);
+  const bool open = session.decided_ == Outcome::running;
+  end(input.t_us, open ? Outcome::stopped : session.decided_);
 }
 
 }  // namespace promenade::study

@@ -78,6 +78,7 @@ struct Skip {
 struct Repeat {
   bool block = false;  // the whole block, else the trial that runs or ended last
   std::string reason;
+  bool with_guess = true;  // with the guess, where that has won the trial
 };
 // The program died and has been started again: first input after a replay of the log.
 struct Interrupted {
@@ -106,7 +107,8 @@ struct Input {
 // "won_by_guess" (a trial that its guess had already won), "practice_again" and
 // "practice_over" (value: successes; target: why) and "interrupted" (value: the gap in
 // seconds, target: the policy); of
-// the experimenter also "note", "release", "skip" and "repeat" (target: "trial" or "block");
+// the experimenter also "note", "release", "skip" and "repeat" (target: "trial", "block", or
+// "guess": the trial with the guess that had won it);
 // and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
 // {"first": true}, the first time that a control was touched in a trial, {"text": ...},
@@ -159,12 +161,18 @@ struct TrialEnded {
   int clicks = 0, changes = 0, late_frames = 0;
   ProcessMeasures process;
 };
+// The last page is open: this is how the session ends, whenever that page is left; or it is
+// running again, because the experimenter had something repeated from there.
+struct SessionDecided {
+  std::int64_t t_us = 0;
+  Outcome outcome = Outcome::finished;
+};
 struct SessionEnded {
   std::int64_t t_us = 0;
   Outcome outcome = Outcome::finished;
 };
-using Record =
-    std::variant<TrialStarted, TrialSuperseded, Event, Sample, Answer, TrialEnded, SessionEnded>;
+using Record = std::variant<TrialStarted, TrialSuperseded, Event, Sample, Answer, TrialEnded,
+                            SessionDecided, SessionEnded>;
 
 // What undo takes back: the controls before each gesture, where a gesture is all that
 // is done to one control from one press of the mouse, or of a key, to the next.
@@ -188,7 +196,8 @@ struct LastTrial {
 
 // The running trial, for the screen.
 struct TrialState {
-  int index = 0;  // into Plan::trials
+  int index = 0;    // into Plan::trials
+  int attempt = 1;  // as in TrialStarted
   std::int64_t started_us = 0;
   std::unique_ptr<InterfaceState> interface;  // in rate tasks one without controls
   History history;                            // of the controls
@@ -233,6 +242,8 @@ class Session {
   const Page& page() const;         // what is on screen
   const TrialState* trial() const;  // null outside trial pages
   Outcome outcome() const { return outcome_; }
+  // The same as soon as it is certain: from the last page on, while that is still open.
+  Outcome decided() const { return ended() ? outcome_ : decided_; }
   bool ended() const { return outcome_ != Outcome::running; }
   // The questions of this page, a questionnaire or a rate trial; null elsewhere.
   const Instrument* questions() const;
@@ -259,7 +270,7 @@ class Session {
   const InterfaceRegistry* registry_;
   Plan plan_;
   std::size_t page_ = 0;
-  Outcome outcome_ = Outcome::running;
+  Outcome outcome_ = Outcome::running, decided_ = Outcome::running;
   std::optional<TrialState> trial_;
   std::vector<ItemAnswer> answers_;
   std::vector<std::int64_t> answered_us_;  // when each was given
@@ -267,6 +278,7 @@ class Session {
   std::map<int, TrialOutcome> outcomes_;  // by trial: of its last attempt
   int practice_rounds_ = 0;               // of the block that runs, to criterion
   int last_begun_ = -1;                   // index into Plan::trials
+  int back_to_ = -1;  // the trial that follows, as its guess is done again; -1: the plan's
   // End states of guesses, by index into Plan::trials.
   std::map<int, std::unique_ptr<InterfaceState>> guesses_;
   bool begun_ = false;          // the first page has been logged

@@ -1,6 +1,7 @@
 // What leaves the planned order of the pages: practice to a criterion, trials that a guess
 // has won, what the experimenter skips or repeats, and going on after an interruption.
 #include <algorithm>
+#include <utility>
 
 #include "study/session_steps.h"
 
@@ -63,22 +64,37 @@ void Session::Steps::leave_trial(std::int64_t t_us) {
   const std::vector<Page>& pages = session.plan_.pages;
   std::size_t next = session.page_ + 1;
   while (belongs_to(session.bundle_->study, pages[next], trial)) ++next;
-  go_to(next, t_us);
+  go_to(page_behind(next - 1), t_us);
 }
 
-const InterfaceState* Session::Steps::guess_of(int trial) const {
+// The next one; behind a guess that was done again, the trial that it had won.
+std::size_t Session::Steps::page_behind(std::size_t page) {
+  const std::size_t next = page + 1;
+  if (session.back_to_ < 0) return next;
+  if (belongs_to(session.bundle_->study, session.plan_.pages[next], session.last_begun_)) {
+    return next;
+  }
+  return opening_page(session.plan_, std::exchange(session.back_to_, -1));
+}
+
+int Session::Steps::guess_index(int trial) const {
   const std::vector<PlannedTrial>& trials = session.plan_.trials;
   const PlannedTrial& asked = trials[static_cast<std::size_t>(trial)];
   const int guess = task_of(session.bundle_->study, asked).start_guess;
-  if (guess < 0) return nullptr;
+  if (guess < 0) return -1;
   for (const auto& [index, state] : session.guesses_) {
     const PlannedTrial& guessed = trials[static_cast<std::size_t>(index)];
     if (guessed.task == guess && guessed.interface == asked.interface &&
         guessed.target == asked.target && guessed.practice == asked.practice) {
-      return state.get();
+      return index;
     }
   }
-  return nullptr;
+  return -1;
+}
+
+const InterfaceState* Session::Steps::guess_of(int trial) const {
+  const int index = guess_index(trial);
+  return index < 0 ? nullptr : session.guesses_.at(index).get();
 }
 
 bool Session::Steps::guess_wins(int trial, std::int64_t t_us) const {
@@ -98,6 +114,7 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
   const std::vector<PlannedTrial>& trials = session.plan_.trials;
   const Page& page = session.page();
   if (rule.until != Practice::Until::criterion || page.kind != PageKind::trial) return false;
+  if (session.back_to_ >= 0) return false;  // it was judged before
   const PlannedTrial& last = trials[static_cast<std::size_t>(page.trial)];
   const auto with_it = [&last](const PlannedTrial& trial) {
     return trial.practice && trial.block == last.block;
@@ -137,17 +154,27 @@ void Session::Steps::supersede(int trial, std::int64_t t_us) {
   session.outcomes_.erase(trial);
 }
 
-void Session::Steps::repeat(bool block) {
+// What its guess has won cannot go otherwise as long as the guess stays. What stands in the
+// plan between the two is left as it is.
+void Session::Steps::repeat(bool block, bool with_guess) {
   const std::vector<PlannedTrial>& trials = session.plan_.trials;
-  const int last = session.last_begun_;
-  if (last < 0) return;
+  const int begun = session.last_begun_;
+  if (begun < 0) return;
   if (session.trial_) end_trial(input.t_us, TrialOutcome::aborted);
   session.just_ended_.reset();
-  int first = last;
+  if (!block && with_guess) {
+    session.back_to_ = begun;
+    session.last_begun_ = guess_index(begun);
+    supersede(begun, input.t_us);
+    supersede(session.last_begun_, input.t_us);
+    return go_to(opening_page(session.plan_, session.last_begun_), input.t_us);
+  }
+  const int last = block ? std::max(begun, std::exchange(session.back_to_, -1)) : begun;
+  int first = begun;
   const auto block_of = [&trials](int trial) {
     return trials[static_cast<std::size_t>(trial)].block;
   };
-  while (block && first > 0 && block_of(first - 1) == block_of(last)) --first;
+  while (block && first > 0 && block_of(first - 1) == block_of(begun)) --first;
   for (int i = first; i <= last; ++i) supersede(i, input.t_us);
   session.last_begun_ = first;
   if (block) session.practice_rounds_ = 0;
@@ -187,10 +214,12 @@ void Session::Steps::act(const Skip& skip) {
 
 void Session::Steps::act(const Repeat& what) {
   if (session.last_begun_ < 0) return;
+  const bool won = !session.trial_ && guess_wins(session.last_begun_, input.t_us);
+  const bool with_guess = !what.block && what.with_guess && won;
   Event& event = log("repeat");
-  event.target = what.block ? "block" : "trial";
+  event.target = what.block ? "block" : with_guess ? "guess" : "trial";
   event.detail = json_text("reason", what.reason);
-  repeat(what.block);
+  repeat(what.block, with_guess);
 }
 
 // Between two blocks nothing is begun anew.
@@ -202,7 +231,7 @@ void Session::Steps::act(const Interrupted& gap) {
   const bool redo_block = gap.policy == ResumePolicy::redo_block && within_block();
   if (redo_trial || redo_block) {
     wake();
-    return repeat(redo_block);
+    return repeat(redo_block, false);
   }
   if (session.paused() || session.ended()) return;
   end_gesture();

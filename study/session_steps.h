@@ -14,6 +14,7 @@ struct Session::Steps {
   void begin();
   void open_page(std::int64_t t_us);
   void next_page(std::int64_t t_us);
+  void decide(std::int64_t t_us);
   void end(std::int64_t t_us, Outcome outcome);
 
   // session_answers.cpp: questionnaires
@@ -28,8 +29,10 @@ struct Session::Steps {
   void go_to(std::size_t page, std::int64_t t_us);
   void supersede(int trial, std::int64_t t_us);
   bool guess_wins(int trial, std::int64_t t_us) const;
+  int guess_index(int trial) const;                 // of the guess that it begins from; -1: none
   const InterfaceState* guess_of(int trial) const;  // null: it begins from the average
-  void repeat(bool block);
+  std::size_t page_behind(std::size_t page);
+  void repeat(bool block, bool with_guess);
   bool within_block() const;
 
   // session_trial.cpp: the running trial

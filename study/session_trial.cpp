@@ -129,9 +129,9 @@ TrialState Session::Steps::fresh_trial(int index, std::int64_t t_us) const {
 void Session::Steps::begin_trial(std::int64_t t_us) {
   session.trial_ = fresh_trial(session.page().trial, t_us);
   TrialState& trial = *session.trial_;
-  const int attempt = ++session.attempts_[static_cast<std::size_t>(trial.index)];
+  trial.attempt = ++session.attempts_[static_cast<std::size_t>(trial.index)];
   session.last_begun_ = trial.index;
-  records.emplace_back(TrialStarted{trial.index, t_us, trial.d, attempt});
+  records.emplace_back(TrialStarted{trial.index, t_us, trial.d, trial.attempt});
   log_system("start", t_us).detail = controls_json(*trial.interface);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
 }

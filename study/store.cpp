@@ -130,6 +130,7 @@ struct Store::Implementation {
   void put(const Sample& record);
   void put(const Answer& record);
   void put(const TrialEnded& record);
+  void put(const SessionDecided& record);
   void put(const SessionEnded& record);
 };
 
@@ -314,6 +315,19 @@ void Store::Implementation::put(const TrialEnded& record) {
   end_trial.bind(19, process.idle_us).bind(20, process.camera_moves);
   end_trial.bind(21, trial_uuid(record.trial)).run();
   ended.push_back(trial_uuid(record.trial));
+  due = true;
+}
+
+// Its process stays: it still has it.
+void Store::Implementation::put(const SessionDecided& record) {
+  Statement decide(database, "UPDATE session SET outcome = ?, ended_utc = ? WHERE uuid = ?");
+  decide.bind(1, to_text(record.outcome)).bind(3, session);
+  if (record.outcome == Outcome::running) {
+    decide.bind_null(2);
+  } else {
+    decide.bind(2, utc_now());
+  }
+  decide.run();
   due = true;
 }
 

@@ -3,7 +3,8 @@
 // write() puts what one step of the session returned into the open transaction, as a whole
 // or not at all, so that a replay of the file ends between two steps; flush() commits without
 // waiting for the disk (it survives a kill of the program) and belongs into the frame, at
-// least every 50 ms; a step that ends a trial or the session is committed durably at once (it
+// least every 50 ms; a step that ends a trial, or
+// decides or ends the session, is committed durably at once (it
 // survives a power cut). Checkpoints run between trials only.
 #pragma once
 

@@ -128,6 +128,7 @@ struct Safety {
   ResumePolicy resume = ResumePolicy::continue_;
   Withdrawal withdrawal = Withdrawal::everything;
   std::string copy_to;  // a folder that gets a verified copy after each session; empty: none
+  std::string keep;     // how long data are kept, for the page for an ethics board; empty: not said
 };
 
 // Where all examples walk beside the task, as the video of [O] 6 did.

@@ -10,6 +10,7 @@
 #include "app/registry.h"
 #include "motion/files.h"
 #include "study/balance.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
 
 namespace promenade::app {
@@ -110,7 +111,7 @@ void change(const Options& options, const Study& study, std::vector<RosterRow>& 
     study::extend_roster(options.file, study, options.participants, options.stations, rows);
   }
   for (const std::string& file : options.databases) {
-    study::Database database(file, study::Database::Mode::read_only);
+    study::Database database = study::open_log(file);
     study::mark_done(database, rows);
   }
   if (!options.no_show.empty()) study::mark_no_show(options.file, options.no_show, rows);

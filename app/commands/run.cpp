@@ -10,6 +10,7 @@
 #include "app/roster_place.h"
 #include "app/session_window.h"
 #include "motion/did_you_mean.h"
+#include "motion/files.h"
 
 namespace promenade::app {
 namespace {
@@ -49,15 +50,37 @@ void print_result(const SessionResult& result, const std::string& database) {
                   result.frame_median, result.frame_p99, result.work_median, result.work_p99));
 }
 
-// The participant's row, whose code and order the session gets.
-std::optional<study::RosterRow> take_place(const Options& options, SessionSetting& setting) {
-  if (options.roster.empty()) return std::nullopt;
+RosterCheck check_of(const Options& options, const SessionSetting& setting,
+                     const std::string& code) {
+  return {options.roster, code, setting.station, setting.database, setting.autopilot.has_value()};
+}
+
+// The participant's row has the code and the order that the session gets; without a code the
+// welcome page asks for it.
+void take_place(const Options& options, SessionSetting& setting) {
+  if (options.roster.empty()) return;
   if (options.pilot) throw InputError("--roster", "is for sessions that count, not for a --pilot");
-  study::RosterRow row = roster_place({options.roster, setting.participant, setting.station,
-                                       setting.database, setting.autopilot.has_value()});
+  study::read_roster(options.roster, read_file(options.roster));  // every problem of it first
+  setting.ask_roster = [&options, &setting](const std::string& typed) {
+    return ask_roster(check_of(options, setting, typed));
+  };
+  if (!options.has_participant && !setting.autopilot) return;
+  const RosterCheck check = check_of(options, setting, setting.participant);
+  const study::RosterRow row = options.has_participant ? roster_place(check) : next_place(check);
   setting.participant = row.code;
   setting.sequence = row.sequence;
-  return row;
+}
+
+// That it failed is no reason to lose sight of the session: `roster --done-in` finds it all the
+// same.
+void leave_place(const Options& options, const SessionSetting& setting,
+                 const SessionResult& result) {
+  if (options.roster.empty() || !result.recorded) return;
+  try {
+    store_place(check_of(options, setting, result.participant), result.outcome);
+  } catch (const std::exception& error) {
+    print_note(std::string("warning: the place in the roster is not stored: ") + error.what());
+  }
 }
 
 void run(const Options& options) {
@@ -72,12 +95,12 @@ void run(const Options& options) {
                          .autopilot = options.autopilot,
                          .trace = options.trace};
   if (setting.database.empty()) setting.database = "results/" + bundle.study.name + ".db";
-  const auto place = take_place(options, setting);
+  take_place(options, setting);
   print_problems(bundle.warnings);
   interrupted();  // from now on Ctrl-C ends the session properly
   const SessionResult result = run_session(setting);
   if (result.copy_problem) print_note("warning: " + *result.copy_problem);
-  if (place && result.recorded) store_place(setting.database, *place, result.outcome);
+  leave_place(options, setting, result);
   if (result.interrupted && !result.recorded) {
     throw OutsideError("interrupted before the session began; nothing is stored, start it again");
   }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/live_session.h"
@@ -32,21 +33,23 @@ struct ScreenMemory {
   // Being typed; the longest code has room at four bytes a character.
   std::array<char, 4 * longest_participant_code + 1> code{};
   bool code_known = false;    // somebody has taken part with it: is it the same person?
+  bool code_unknown = false;  // it is not in the roster
+  bool code_taken = false;    // it is, and nobody can begin with it any more
   bool same_person = false;   // that was answered with yes
   // Sessions that were interrupted here; empty: none, or a new one is to begin.
   std::vector<study::InterruptedSession> offered;
   std::string resume;           // uuid of the one that is to go on
   bool refuses_offers = false;  // none of them is
   bool resume_differs = false;  // one could not: another version of the program wrote it
-  bool wants_start = false;   // the welcome page is left: the code is to be checked
-  bool too_early = false;     // the main button was pressed while it could not be
-  bool refused = false;       // in this frame
-  bool asks_to_end = false;   // the window was to be closed: the pause offers the end
-  bool wants_end = false;     // and that was pressed
-  bool back_again = false;    // the session goes on after an interruption
-  std::optional<Orbit> told;  // the camera that was last reported
-  int camera_trial = -1;      // the trial that the camera was set for
-  Eigen::VectorXd example;    // scratch of the wall
+  bool wants_start = false;     // the welcome page is left: the code is to be checked
+  bool too_early = false;       // the main button was pressed while it could not be
+  bool refused = false;         // in this frame
+  bool asks_to_end = false;     // the window was to be closed: the pause offers the end
+  bool wants_end = false;       // and that was pressed
+  bool back_again = false;      // the session goes on after an interruption
+  std::optional<Orbit> told;    // the camera that was last reported
+  std::pair<int, int> camera_attempt = {-1, 0};  // the trial and attempt the camera was set for
+  Eigen::VectorXd example;                       // scratch of the wall
   // The controls in the picture of the instructions, and the trial that they are for.
   std::unique_ptr<study::InterfaceState> pictured;
   int pictured_trial = -1;
@@ -77,9 +80,9 @@ struct Screen {
   const std::vector<OfferedLanguage>& languages;
   std::int64_t now_us;  // since the session began
   bool pilot, simulated;
-  bool fresh;           // the first frame of this page
-  bool chord;           // the keys of the experimenter's panel were pressed
-  const char* failure;  // why the session has to stop; null: it goes on
+  bool fresh;                // the first frame of this page
+  bool chord;                // the keys of the experimenter's panel were pressed
+  const char* failure;       // why the session has to stop; null: it goes on
   const char* copy_problem;  // why there is no second copy of the database; null: none
   Stage& stage;
   const StagePlan& stage_plan;

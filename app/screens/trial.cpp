@@ -95,9 +95,10 @@ void draw_below_panel(const Screen& screen, const study::TrialState& trial) {
 void draw_trial(const Screen& screen) {
   const study::TrialState* trial = screen.session.trial();
   if (trial == nullptr) return;
-  if (screen.memory.camera_trial != trial->index) {
+  const std::pair attempt(trial->index, trial->attempt);
+  if (screen.memory.camera_attempt != attempt) {
     // Every trial begins with the same view; whoever wants another turns again.
-    screen.memory.camera_trial = trial->index;
+    screen.memory.camera_attempt = attempt;
     screen.memory.told = screen.stage.orbit() = Orbit{};
     screen.stage.pace() = Pace{};
   }

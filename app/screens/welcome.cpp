@@ -4,6 +4,8 @@ namespace promenade::app {
 namespace {
 
 const char* hint_of(const Screen& screen) {
+  if (screen.memory.code_unknown) return "welcome.code_unknown";
+  if (screen.memory.code_taken) return "welcome.code_taken";
   if (screen.memory.code_known) return "welcome.code_known";
   return screen.memory.resume_differs ? "resume.differs" : "welcome.code_hint";
 }
@@ -29,14 +31,16 @@ bool draw_code_field(const Screen& screen, float y) {
   const bool entered =
       ImGui::InputText("##code", screen.memory.code.data(), screen.memory.code.size(),
                        ImGuiInputTextFlags_CharsNoBlank | ImGuiInputTextFlags_EnterReturnsTrue);
-  if (ImGui::IsItemEdited()) screen.memory.code_known = false;
+  ScreenMemory& memory = screen.memory;
+  if (ImGui::IsItemEdited()) memory.code_known = memory.code_unknown = memory.code_taken = false;
   ImGui::PopStyleVar();
   ImGui::PopFont();
   frame(field, ui.look.palette.quiet, ui.layout.size(1));
-  const bool known = screen.memory.code_known;
-  draw_text(known ? ui.look.fonts.bold : ui.look.fonts.text,
+  const bool known = memory.code_known;
+  const bool refused = known || memory.code_unknown || memory.code_taken;
+  draw_text(refused ? ui.look.fonts.bold : ui.look.fonts.text,
             {field.x, field.bottom() + ui.layout.size(4), column.width, ui.layout.size(28)},
-            known ? ui.look.palette.text : ui.look.palette.quiet, screen.texts(hint_of(screen)));
+            refused ? ui.look.palette.text : ui.look.palette.quiet, screen.texts(hint_of(screen)));
   // Twice by mistake spoils two sessions: somebody has to say that it is none.
   const Box again{field.x, field.bottom() + ui.layout.size(36), ui.layout.size(360),
                   ui.layout.size(44)};

@@ -50,9 +50,24 @@ TEST(EthicsPage, TellsWhatAWithdrawalRemovesAndWhereCopiesGo) {
   study::StudyBundle bundle = demo();
   EXPECT_TRUE(says(ethics_page(bundle, PageFormat::html), "Every row of the person is deleted"));
   EXPECT_TRUE(says(ethics_page(bundle, PageFormat::html), "no second copy is made"));
-  bundle.study.safety = {.withdrawal = study::Withdrawal::link, .copy_to = "/media/stick"};
+  bundle.study.safety.withdrawal = study::Withdrawal::link;
+  bundle.study.safety.copy_to = "/media/stick";
   EXPECT_TRUE(says(ethics_page(bundle, PageFormat::html), "Answers and trials stay"));
   EXPECT_TRUE(says(ethics_page(bundle, PageFormat::html), "/media/stick"));
+}
+
+TEST(EthicsPage, TellsHowLongTheDataAreKeptOrHowToSayIt) {
+  const std::string unsaid = ethics_page(demo(), PageFormat::markdown);
+  EXPECT_TRUE(says(unsaid, "the study file does not say"));
+  EXPECT_TRUE(says(unsaid, "10 years after publication"));
+  const std::string text =
+      "[study]\nname = 'kept'\n[[interface]]\nname = 'labels'\n[[task]]\nname = 'match'\n"
+      "kind = 'match'\ntargets = [{example = 'proud'}]\n[safety]\nkeep = 'until spring 2031'\n";
+  const study::StudyBundle kept =
+      study::read_study("kept.toml", text, interfaces(), study::load_motion_set);
+  const std::string said = ethics_page(kept, PageFormat::markdown);
+  EXPECT_TRUE(says(said, "until spring 2031"));
+  EXPECT_FALSE(says(said, "the study file does not say"));
 }
 
 TEST(EthicsPage, LetsNoTextBecomeMarkup) {

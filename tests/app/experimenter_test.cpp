@@ -92,6 +92,20 @@ TEST_F(Panel, RepeatsATrialAndAWholeBlock) {
   EXPECT_EQ(bench_.session().page().kind, PageKind::instructions);
 }
 
+TEST_F(Panel, BeginsARepeatedTrialWithTheViewOfANewOne) {
+  bench_.frame();
+  bench_.view().stage().orbit().yaw = 1;
+  bench_.frame();
+  EXPECT_EQ(bench_.view().stage().orbit().yaw, 1);
+  bench_.chord();
+  bench_.type("again");
+  bench_.click("experimenter:repeat_trial");
+  bench_.click("continue");
+  ASSERT_NE(bench_.session().trial(), nullptr);
+  EXPECT_EQ(bench_.session().trial()->attempt, 2);
+  EXPECT_EQ(bench_.view().stage().orbit(), Orbit{});
+}
+
 TEST_F(Panel, EndsTheSession) {
   bench_.chord();
   bench_.type("unwell");

@@ -26,7 +26,7 @@ study::StudyBundle bundle_of(const std::string& text) {
 }  // namespace
 
 SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
-                           const std::string& study_text)
+                           const std::string& study_text, const Roster& roster)
     : file_(fresh_file()),
       bundle_(bundle_of(study_text)),
       store_(file_, bundle_),
@@ -36,7 +36,7 @@ SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
                            language.empty()),
             store_, header_of(language), now_us_),
       view_((gui_.fit(1280, 720), bundle_), interfaces(), gui_, live_, queue_,
-            {language, "", false, true}),
+            {language, "", false, true, {}, roster}),
       autopilot_(study::SimulatedParticipant(bundle_, interfaces(), seed), "S001") {
   unsigned char* pixels = nullptr;
   int width = 0;
@@ -116,6 +116,24 @@ void SessionBench::type(const std::string& text) {
 void SessionBench::hold(int glfw_key, bool down) {
   queue_.push({.kind = UiEvent::Kind::key, .code = glfw_key, .down = down, .t_us = now_us_});
   frame();
+}
+
+void SessionBench::click_fast(int times) {
+  const Widget* stage = view_.widgets().find("stage", "stage");
+  if (stage == nullptr) throw std::logic_error("there is no stage");
+  queue_.push({.kind = UiEvent::Kind::move,
+               .x = stage->box.middle_x(),
+               .y = stage->box.middle_y(),
+               .t_us = now_us_});
+  for (int k = 0; k < 2 * times; ++k) {
+    queue_.push(
+        {.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0, .t_us = now_us_ + k});
+  }
+}
+
+void SessionBench::show_late() {
+  now_us_ += 100'000;
+  view_.shown({.shown_us = now_us_, .interval_us = 100'000, .work_us = 99'000, .late_us = 83'333});
 }
 
 void SessionBench::wheel(double notches) {

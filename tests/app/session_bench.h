@@ -13,9 +13,10 @@ namespace promenade::app::bench {
 
 class SessionBench {
  public:
+  using Roster = decltype(ViewOptions::ask_roster);
   // Without a language the first page asks; without a study it is the demo.
   explicit SessionBench(const std::string& language = "en", std::uint64_t seed = 1,
-                        const std::string& study_text = "");
+                        const std::string& study_text = "", const Roster& roster = {});
   ~SessionBench();
 
   void frame();  // 1/60 s
@@ -38,6 +39,8 @@ class SessionBench {
   void type(const std::string& text);
   void hold(int glfw_key, bool down);  // a key that others are pressed with
   void wheel(double notches);
+  void click_fast(int times);  // on the stage, all before the next frame
+  void show_late();            // a frame that took a tenth of a second
   void close_window() { view_.ask_to_close(now_us_); }
 
  private:

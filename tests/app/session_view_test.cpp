@@ -50,6 +50,46 @@ TEST(SessionView, ATypedCodeLeadsToTheConsent) {
   EXPECT_EQ(count(bench, "participant WHERE code = 'P07'"), 1);
 }
 
+// A roster with one code that is free and one that is not.
+RosterAnswer toy_roster(const std::string& typed) {
+  if (typed == "k7q4s") {
+    return {RosterAnswer::Kind::welcome, {"K7Q4S", "1", 5, study::Attendance::booked, ""}};
+  }
+  return {typed == "gone" ? RosterAnswer::Kind::taken : RosterAnswer::Kind::unknown};
+}
+
+TEST(WelcomeWithARoster, TakesItsCodesWithTheirOrder) {
+  SessionBench bench("en", 1, "", toy_roster);
+  bench.type("k7q4s");
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::consent);
+  EXPECT_EQ(count(bench,
+                  "session JOIN participant ON participant.uuid = session.participant "
+                  "WHERE code = 'K7Q4S' AND sequence = 5"),
+            1);
+}
+
+TEST(WelcomeWithARoster, BeginsNothingWithACodeThatIsUnknownOrTaken) {
+  for (const char* code : {"other", "gone"}) {
+    SessionBench bench("en", 1, "", toy_roster);
+    bench.type(code);
+    bench.click("continue");
+    EXPECT_EQ(bench.session().page().kind, PageKind::welcome) << code;
+    EXPECT_EQ(count(bench, "session"), 0) << code;
+  }
+}
+
+TEST(WelcomeWithARoster, EndsWithAMessageWhenItCannotBeRead) {
+  SessionBench bench("en", 1, "", [](const std::string&) -> RosterAnswer {
+    throw OutsideError("the stick is gone");
+  });
+  bench.type("k7q4s");
+  bench.click("continue");
+  EXPECT_EQ(bench.session().page().kind, PageKind::welcome);
+  bench.click("continue");
+  EXPECT_TRUE(bench.view().ended());
+}
+
 TEST(SessionView, DecliningEndsItPolitely) {
   SessionBench bench;
   bench.type("P07");
@@ -98,6 +138,70 @@ TEST(SessionView, ClosingItTwiceOrSayingSoEndsTheSession) {
     EXPECT_EQ(bench.session().outcome(), study::Outcome::stopped);
     EXPECT_EQ(count(bench, "event WHERE kind = 'stop' AND actor = 'participant'"), 1);
   }
+}
+
+class FastClicks : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(bench_.play(5, [&] { return bench_.session().trial() != nullptr; }));
+    for (int k = 0; k < 60; ++k) bench_.frame();  // the autopilot's hand rests
+    before_ = presses();
+  }
+  std::int64_t presses() const { return count(bench_, "event WHERE kind = 'press'"); }
+
+  SessionBench bench_;
+  std::int64_t before_ = 0;
+};
+
+TEST_F(FastClicks, AreAllTakenInOneFrame) {
+  bench_.click_fast(10);
+  bench_.frame();
+  EXPECT_TRUE(bench_.queue().empty());
+  bench_.frame();
+  EXPECT_EQ(presses() - before_, 10);
+}
+
+TEST_F(FastClicks, AreAllStoredBeforeAStop) {
+  bench_.click_fast(50);
+  bench_.stop();
+  EXPECT_EQ(presses() - before_, 50);
+  EXPECT_EQ(bench_.session().outcome(), study::Outcome::stopped);
+}
+
+TEST_F(FastClicks, AreAllStoredBeforeThePauseOfAWindowThatCloses) {
+  bench_.click_fast(50);
+  bench_.close_window();
+  bench_.stop();
+  EXPECT_EQ(presses() - before_, 50);
+}
+
+TEST_F(FastClicks, KeepTheirTimeBesideALateFrame) {
+  bench_.click_fast(1);
+  bench_.show_late();
+  bench_.stop();
+  EXPECT_EQ(count(bench_, "event WHERE kind = 'late_frame'"), 1);
+  EXPECT_EQ(count(bench_,
+                  "event WHERE kind = 'press' AND t_us <= (SELECT t_us - 100000 FROM event WHERE "
+                  "kind = 'late_frame')") -
+                before_,
+            1);
+}
+
+TEST_F(FastClicks, NeverReachAPageThatNobodyHasSeen) {
+  bench_.key(GLFW_KEY_ESCAPE);
+  bench_.frame();
+  bench_.click("resume");
+  bench_.key(GLFW_KEY_ESCAPE);
+  const Widget* resume = bench_.view().widgets().find("press", "resume");
+  ASSERT_NE(resume, nullptr);
+  bench_.queue().push(
+      {.kind = UiEvent::Kind::move, .x = resume->box.middle_x(), .y = resume->box.middle_y()});
+  for (int k = 0; k < 8; ++k) {
+    bench_.queue().push({.kind = UiEvent::Kind::button, .code = 0, .down = k % 2 == 0});
+  }
+  bench_.frame();
+  EXPECT_FALSE(bench_.session().paused());
+  EXPECT_FALSE(bench_.queue().empty());
 }
 
 TEST(SessionView, BeforeItBeganTheWindowClosesAtOnce) {

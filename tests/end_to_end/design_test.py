@@ -3,6 +3,8 @@
 import contextlib
 import csv
 import json
+import os
+import pathlib
 import sqlite3
 import unittest
 
@@ -159,9 +161,25 @@ class Design(ProgramTest):
         self.assertEqual(result.returncode, 2)
         self.assertIn("roster.csv:2:1: error", result.stderr)
         self.assertIn("did you mean \"booked\"", result.stderr)
-        result = self.call("run", self.study(), "--roster", "roster.csv")
-        self.assertIn("--participant", result.stderr)
+        result = self.call("run", self.study(), "--roster", "roster.csv", "--db", "x.db")
+        self.assertIn("roster.csv:2:1: error", result.stderr)
         self.assertFalse((self.folder / "x.db").exists())
+
+    def test_a_roster_is_read_against_a_database_of_an_older_version(self):
+        self.roster("--participants", "2", "--stations", "1")
+        old = pathlib.Path(os.environ.get("PROMENADE_SOURCE_DIR", ".")) / "tests/study/old/v1.sql"
+        with contextlib.closing(sqlite3.connect(self.folder / "old.db")) as database:
+            database.executescript(old.read_text(encoding="utf-8"))
+            code = self.rows()[0]["code"]
+            database.execute("UPDATE participant SET code = ? WHERE code = 'S001'", (code,))
+            database.commit()
+        result = self.call("run", self.study(), "--roster", "roster.csv", "--participant", code,
+                           "--autopilot", "1", "--db", "old.db")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("was already done by", result.stderr)
+        result = self.roster("--done-in", "old.db")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual([row["state"] for row in self.rows()], ["done", "booked"])
 
 
 if __name__ == "__main__":

@@ -182,6 +182,24 @@ void copy_cut_off(const std::string& from, const std::string& to) {
   copy.exec("UPDATE session SET process_start = 'another boot:1' WHERE process IS NOT NULL");
 }
 
+TEST_F(MergeTest, TakesASessionWhoseLastPageWasOpenAndLaterItsEnd) {
+  const StudyBundle bundle = toy::bundle();
+  toy::Player player(bundle, 0);
+  {
+    Store store(file("a.db"), bundle);
+    store.begin_session(toy::header("P01"), player.session.plan());
+    player.at(0, Continue{});
+    player.at(1, Decline{});
+    store.write(player.records);
+    copy_cut_off(file("a.db"), file("cut.db"));
+    store.write(player.at(2, Continue{}));
+    store.end_session("2026-11-22T17:00:00Z");
+  }
+  EXPECT_EQ(merge(out(), {file("cut.db")}).sessions, 1);
+  merge(out(), {file("a.db")});
+  EXPECT_EQ(number_in(out(), "SELECT count(*) FROM event WHERE kind = 'continue'"), 2);
+}
+
 TEST_F(MergeTest, TakesAnInterruptedSessionAndLaterWhatBecameOfIt) {
   const StudyBundle bundle = toy::bundle();
   toy::Player player(bundle, 0);

@@ -223,6 +223,24 @@ TEST(ReadRoster, NamesEveryProblemWithItsPlace) {
   EXPECT_EQ(problems_of(code + ",1,0,booked"), "");  // as spreadsheets save it
 }
 
+TEST(MarkDone, KnowsWhoFinishedBeforeTheRowWasWritten) {
+  Database database(":memory:", Database::Mode::create);
+  create_tables(database);
+  std::vector<RosterRow> rows = roster(study_of(2), 2, 1);
+  database.exec("PRAGMA foreign_keys = OFF");
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string number = std::to_string(i);
+    database.exec("INSERT INTO participant VALUES ('p" + number + "', '" + rows[i].code + "')");
+    database.exec(
+        "INSERT INTO session(uuid, study, participant, station, seed, sequence, language, "
+        "started_utc, outcome, simulated, pilot, machine) VALUES ('s" +
+        number + "', 'x', 'p" + number + "', '1', 0, " + number + ", 'en', '', 'finished', 0, " +
+        number + ", '{}')");
+  }
+  EXPECT_EQ(mark_done(database, rows), 1) << "the second is a pilot";
+  EXPECT_EQ(rows[0].state, Attendance::done);
+}
+
 TEST(StoreRow, KeepsOneRowForEachCode) {
   Database database(":memory:", Database::Mode::create);
   create_tables(database);

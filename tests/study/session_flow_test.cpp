@@ -1,6 +1,8 @@
 // What leaves the planned order: guesses, practice to a criterion, skips, repeats, resumes.
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "play.h"
 #include "toy.h"
 
@@ -182,6 +184,69 @@ TEST(Repeat, OfABlockBeginsWithItsFirstTrial) {
   EXPECT_EQ(player.all<TrialSuperseded>().size(), 2U);
   player.to_trial(4 * second);
   EXPECT_EQ(player.session.trial()->index, 0);
+}
+
+// Two guesses, then their matches; both guesses hit.
+Player two_won_matches(const StudyBundle& bundle) {
+  Player player(bundle);
+  for (std::int64_t t = 1; player.session.page().kind != PageKind::thanks; t += 2) {
+    if (!player.session.trial()) player.to_trial(t * second);
+    const auto index = static_cast<std::size_t>(player.session.trial()->index);
+    player.at(t * second,
+              toy::pick(player.session.plan().trials[index].target == 0 ? "far" : "side"));
+    player.at((t + 1) * second, Done{});
+  }
+  return player;
+}
+
+const std::string two_guesses =
+    "[[task]]\nname = 'first'\nkind = 'guess'\ntargets = [{example = 'far'}, {example = 'side'}]\n"
+    "threshold = 0.1\n"
+    "[[task]]\nname = 'then'\nkind = 'match'\nstart = 'first'\nthreshold = 0.1\ndone = false\n"
+    "limit_s = 300\n";
+
+TEST(Repeat, OfAMatchThatItsGuessHasWonIsAnotherGuess) {
+  const StudyBundle bundle = toy::bundle(head + two_guesses);
+  Player player = two_won_matches(bundle);
+  ASSERT_STREQ(kind_of(player), "thanks");
+  const std::vector<PlannedTrial>& trials = player.session.plan().trials;
+  const int guess = trials[0].target == trials[3].target ? 0 : 1;
+  player.at(20 * second, Repeat{false, "a child at the mouse"});
+  EXPECT_EQ(player.all<Event>().at(player.all<Event>().size() - 2).target, "guess");
+  EXPECT_EQ(player.session.page().trial, guess);
+  ASSERT_EQ(player.all<TrialSuperseded>().size(), 2U);
+  player.to_trial(21 * second);
+  player.at(22 * second, toy::pick("near"));
+  player.at(23 * second, Done{});
+  EXPECT_EQ(player.session.page().trial, 3) << "what stands between is left as it is";
+  player.to_trial(24 * second);
+  ASSERT_NE(player.session.trial(), nullptr);
+  EXPECT_EQ(player.session.trial()->weights(0), 1);
+  EXPECT_EQ(player.all<TrialStarted>().size(), 6U);
+}
+
+TEST(Repeat, OfAMatchAsAnOldLogHasItStaysWithTheMatch) {
+  const StudyBundle bundle = toy::bundle(head + guess_and_match);
+  Player player(bundle);
+  player.to_trial(0);
+  player.at(1 * second, toy::pick("far"));
+  player.at(2 * second, Done{});
+  player.at(3 * second, Repeat{false, "why", false});
+  EXPECT_EQ(player.all<TrialSuperseded>().size(), 1U);
+  EXPECT_EQ(count_events(player, "won_by_guess"), 2);
+}
+
+TEST(Repeat, OfTheBlockWhileAGuessIsDoneAgainTakesInItsMatch) {
+  const StudyBundle bundle = toy::bundle(head + two_guesses);
+  Player player = two_won_matches(bundle);
+  player.at(20 * second, Repeat{false, "a child at the mouse"});
+  player.to_trial(21 * second);
+  player.at(22 * second, Repeat{true, "and again"});
+  player.to_trial(23 * second);
+  EXPECT_EQ(player.session.trial()->index, 0);
+  std::set<int> superseded;
+  for (const TrialSuperseded& one : player.all<TrialSuperseded>()) superseded.insert(one.trial);
+  EXPECT_EQ(superseded, (std::set<int>{0, 1, 2, 3}));
 }
 
 TEST(Note, ChangesNothingNotEvenAPause) {

@@ -177,6 +177,52 @@ TEST_F(StoreTest, KeepsTheNumberOfAKilledSessionForItsResume) {
   EXPECT_EQ(store.next_sequences(false, false, 2), (std::vector<int>{1, 2}));
 }
 
+// Its first page, then as many as there are until the last one.
+void read_to_the_end(toy::Player& player) {
+  for (std::int64_t t = 1'000'000; player.session.decided() == Outcome::running; t += 1'000'000) {
+    if (player.session.trial()) {
+      player.at(t, Done{});
+    } else if (player.session.can_continue()) {
+      player.at(t, Continue{});
+    } else {
+      player.at(t, SetAnswer{"liked", 7});
+    }
+  }
+}
+
+TEST_F(StoreTest, KnowsTheOutcomeWhileTheLastPageIsOpen) {
+  const StudyBundle bundle = toy::bundle();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Store store(file(), bundle);
+    toy::Player player(bundle);
+    read_to_the_end(player);
+    store.begin_session(header("P01"), player.session.plan());
+    store.write(player.records);
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  Store store(file(), bundle);
+  EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'finished' AND ended_utc > ''"), 1);
+  EXPECT_TRUE(store.interrupted_sessions(false, false).empty());
+  EXPECT_EQ(store.next_sequences(false, false, 2), (std::vector<int>{1, 2}));
+}
+
+TEST_F(StoreTest, OpensASessionAgainWhoseLastTrialIsRepeatedFromTheLastPage) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  toy::Player player(bundle);
+  read_to_the_end(player);
+  store.begin_session(header("P01"), player.session.plan());
+  store.write(player.records);
+  store.write(player.at(100'000'000, Repeat{false, "why"}));
+  EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'running' AND ended_utc IS NULL"),
+            1);
+  store.write(player.at(101'000'000, Stop{"why"}));
+  EXPECT_EQ(count("SELECT count(*) FROM session WHERE outcome = 'stopped'"), 1);
+}
+
 TEST_F(StoreTest, FillsTheOrderThatIsMissingMost) {
   const StudyBundle bundle = toy::bundle();
   Store store(file(), bundle);

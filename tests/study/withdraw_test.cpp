@@ -202,6 +202,14 @@ TEST_F(WithdrawTest, WaitsForTheEndOfASession) {
   EXPECT_EQ(number_in(file(), "SELECT count(*) FROM session"), 0);
 }
 
+TEST_F(WithdrawTest, WaitsForThePersonToLeaveTheLastPage) {
+  const StudyBundle bundle = toy::bundle();
+  Store store(file(), bundle);
+  store.begin_session(toy::header(code), make_plan(bundle.study, 0));
+  store.write({SessionDecided{5, Outcome::declined}});
+  EXPECT_THROW(withdraw(file(), code), OutsideError);
+}
+
 TEST_F(WithdrawTest, NamesWhatIsNoDatabase) {
   toy::make_station(file(), {"P01"});
   const std::string bytes = read_file(file());
