@@ -25,9 +25,9 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
               element("style", trusted(page_css()));
   Html body = stripe(results);
   body += element("main", headline(results) + flow_bar(results.selection) + panels(results) +
-                              buttons(results, figures) + figure_section(figures) +
+                              buttons() + figure_section(results, figures) +
                               table_sections(results) + shown(sections) + method_section(results) +
-                              provenance_section(results, sections));
+                              file_section(results, sections) + provenance_section(results));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
          "\n";

@@ -51,7 +51,8 @@ svg text { font: 13px "Noto Sans", Arial, sans-serif; fill: var(--quiet); }
 .triangle td { border: 1px solid var(--line); text-align: center; padding: 7px 3px;
   line-height: 1.3; font-size: 14px; }
 .triangle td.sig { border: 2px solid var(--ink); font-weight: 700; }
-.triangle td.ns { color: #767c83; background: #f4f5f6; }
+.triangle caption { font-size: 17px; font-weight: 700; padding-bottom: 10px; line-height: 1.45; }
+.triangle td.ns { color: #62686f; background: #f4f5f6; }
 .triangle td.none { border: 0; }
 .triangle td span { display: block; font-size: 13px; }
 .buttons { display: flex; flex-wrap: wrap; gap: 10px; margin: 6px 0 0; padding: 0; }
@@ -59,8 +60,10 @@ svg text { font: 13px "Noto Sans", Arial, sans-serif; fill: var(--quiet); }
   color: var(--ink); text-decoration: none; font-size: 15px; }
 .buttons a:hover, .buttons a:focus { background: #eef2f5; }
 .figures { display: flex; flex-wrap: wrap; gap: 28px; }
-figure { margin: 0; flex: 1 1 440px; max-width: 600px; break-inside: avoid; }
-figure img { width: 100%; height: auto; }
+figure { margin: 0; break-inside: avoid; flex: 1 1 440px; max-width: 586px; min-width: 0; }
+figure.full { flex-basis: 100%; max-width: 100%; }
+figure img { display: block; width: 100%; height: auto; }
+figcaption { margin-top: 6px; } figcaption .files { white-space: nowrap; }
 figcaption, caption { color: var(--ink); font-size: 15px; text-align: left; padding: 0 0 8px;
   caption-side: top; }
 .wide { overflow-x: auto; margin: 18px 0 30px; }
@@ -95,8 +98,10 @@ code { font-size: 14px; overflow-wrap: anywhere; }
   .strip small { font-size: 7.5pt; }
   .wide { overflow: visible; margin: 12px 0 20px; } table { font-size: 8pt; }
   .wide th, .wide td { padding: 1.5px 4px; }
+  .triangle caption { font-size: 9.5pt; padding-bottom: 5px; }
   .triangle td, .triangle th, .triangle td span { font-size: 7.5pt; padding: 3px 1px; }
-  tr, figure, .flow { break-inside: avoid; } h2, caption { break-after: avoid; }
+  tr, figure, .flow { break-inside: avoid; } h2, h3, caption { break-after: avoid; }
+  tbody tr:nth-child(-n+3) { break-before: avoid; }
   thead { display: table-header-group; }
   figure { flex: 0 0 47%; } .buttons { display: none; }
 }

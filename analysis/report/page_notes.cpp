@@ -87,17 +87,6 @@ HtmlTable exclusion_table(const Selection& selection) {
   return table;
 }
 
-HtmlTable data_table(const Results& results, const std::vector<Section>& sections) {
-  HtmlTable table;
-  table.caption = "Files beside this page; numbers with full precision, metres and seconds.";
-  table.columns = {"file", "what a row is", "rows"};
-  for (const Table& one : all_tables(results, sections)) {
-    table.rows.push_back(
-        {"tables/" + one.name + ".csv", one.caption, std::to_string(one.rows.size())});
-  }
-  return table;
-}
-
 Html text_table(const HtmlTable& table) {
   return element("div", {{"class", "wide text"}}, render(table));
 }
@@ -129,14 +118,13 @@ Html method_section(const Results& results) {
   return html;
 }
 
-Html provenance_section(const Results& results, const std::vector<Section>& sections) {
+Html provenance_section(const Results& results) {
   Html html = element("h2", "Provenance") + text_table(fact_table(results)) +
               amendments(results.log) + text_table(file_table(results.log));
   if (!results.selection.exclusions.empty()) {
     html += text_table(exclusion_table(results.selection));
   }
-  html += text_table(data_table(results, sections)) +
-          element("p", "Queries behind every number, before people are selected as above:");
+  html += element("p", "Queries behind every number, before people are selected as above:");
   std::string queries;
   for (const std::string& query : log_queries()) queries += query + ";\n";
   return html + element("pre", queries);
