@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "analysis/item.h"
 #include "analysis/parallel.h"
 #include "analysis/report/figures/kinds.h"
@@ -103,22 +101,16 @@ std::vector<DrawnFigure> draw(const std::vector<Figure>& figures, const fs::path
                               const Progress& progress) {
   std::vector<DrawnFigure> drawn(figures.size());
   for (const Figure& figure : figures) write_source(figure, folder);
-  // Starting gnuplot takes as long as a figure, so each draws a few.
-  constexpr int batch = 4;
-  const int count = size_of(figures);
+  // A gnuplot for each: its SVG depends on what the same process has drawn before.
   const auto work = [&](int index) {
-    std::vector<std::string> scripts;
-    const int end = std::min(count, (index + 1) * batch);
-    for (int i = index * batch; i < end; ++i) scripts.push_back(item(figures, i).name + ".gp");
-    run_gnuplot_files(scripts, folder);
-    for (int i = index * batch; i < end; ++i) {
-      const Figure& figure = item(figures, i);
-      const fs::path pdf = folder / (figure.name + ".pdf");
-      write_file(pdf, without_creation_date(read_file(pdf)));
-      item(drawn, i) = {figure, read_file(folder / (figure.name + ".svg"))};
-    }
+    const Figure& figure = item(figures, index);
+    run_gnuplot_file(figure.name + ".gp", folder);
+    const fs::path pdf = folder / (figure.name + ".pdf");
+    write_file(pdf, without_creation_date(read_file(pdf)));
+    item(drawn, index) = {figure, read_file(folder / (figure.name + ".svg"))};
   };
-  for_each_index((count + batch - 1) / batch, work, progress, "figures drawn, in fours:");
+  report_progress(progress, "figures drawn:", 0, size_of(figures));
+  for_each_index(size_of(figures), work, progress, "figures drawn:");
   return drawn;
 }
 

@@ -74,10 +74,9 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 // The exit code; -1 with errno when it could not be started.
-int spawn_gnuplot(const std::vector<std::string>& scripts, const std::filesystem::path& folder,
+int spawn_gnuplot(const std::string& script, const std::filesystem::path& folder,
                   const std::string& message_name) {
-  std::vector<std::string> arguments = {"gnuplot", "-d"};
-  arguments.insert(arguments.end(), scripts.begin(), scripts.end());
+  std::vector<std::string> arguments = {"gnuplot", "-d", script};
   std::vector<std::string> environment = plain_environment();
   const Actions actions(folder, message_name);
   const OwnGroup group;
@@ -98,16 +97,14 @@ int spawn_gnuplot(const std::vector<std::string>& scripts, const std::filesystem
 
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder) {
   write_file(folder / script_name, script);
-  run_gnuplot_files({script_name}, folder);
+  run_gnuplot_file(script_name, folder);
   std::error_code ignored;
   std::filesystem::remove(folder / script_name, ignored);
 }
 
-void run_gnuplot_files(const std::vector<std::string>& scripts,
-                       const std::filesystem::path& folder) {
-  if (scripts.empty()) return;
-  const std::string message_name = scripts.front() + ".log";
-  const int code = spawn_gnuplot(scripts, folder, message_name);
+void run_gnuplot_file(const std::string& name, const std::filesystem::path& folder) {
+  const std::string message_name = name + ".log";
+  const int code = spawn_gnuplot(name, folder, message_name);
   const int error = errno;
   if (code < 0 || code == 127) {
     throw OutsideError(std::string("cannot start gnuplot, which draws the figures (") +

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace promenade::analysis {
 
@@ -12,10 +11,8 @@ namespace promenade::analysis {
 // Throws OutsideError when gnuplot is not installed or refuses the script.
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
 
-// The same for scripts that lie in the folder, one after the other. Several threads may draw
-// in one folder, each other scripts.
-void run_gnuplot_files(const std::vector<std::string>& scripts,
-                       const std::filesystem::path& folder);
+// The same for a script that lies in the folder. Several threads may draw in one folder.
+void run_gnuplot_file(const std::string& script_name, const std::filesystem::path& folder);
 
 // A text as a gnuplot string that nothing in it can end, expand or execute.
 std::string gnuplot_text(std::string_view text);

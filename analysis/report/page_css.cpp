@@ -16,7 +16,8 @@ main { max-width: 1280px; margin: 0 auto; padding: 28px 40px 60px; }
 h1 { font-size: 28px; line-height: 1.28; font-weight: 600; margin: 0 0 10px; max-width: 62ch;
   text-wrap: balance; }
 h2 { font-size: 22px; margin: 44px 0 8px; border-bottom: 2px solid var(--ink); padding-bottom: 4px; }
-h3 { font-size: 17px; margin: 0 0 10px; }
+h3, .panel h2 { font-size: 17px; margin: 0 0 10px; }
+.panel h2 { border: 0; padding: 0; }
 p { max-width: 82ch; }
 .second { font-size: 19px; margin: 0 0 8px; max-width: 80ch; }
 .caveat { border-left: 4px solid var(--ink); padding: 2px 0 2px 12px; margin: 8px 0; }
@@ -84,13 +85,14 @@ pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f4f5f6; paddi
 code { font-size: 14px; overflow-wrap: anywhere; }
 .note { color: var(--quiet); font-size: 15px; }
 @media (max-width: 900px) { .panel { grid-template-columns: 1fr; } main { padding: 20px; } }
+@media (max-width: 600px) { .strip { grid-template-columns: 1fr; gap: 2px; padding-top: 5px; } }
 @page { size: A4; margin: 15mm 13mm; }
 @media print {
   body { font-size: 10pt; }
   main { padding: 0; max-width: none; }
   .stripe { padding: 5px 10px; font-size: 11pt; margin-bottom: 8px; }
   h1 { font-size: 16pt; } .second { font-size: 11pt; } h2 { font-size: 13pt; margin-top: 26px; }
-  h3 { font-size: 9.5pt; margin-bottom: 5px; } .note { font-size: 8pt; margin: 6px 0; }
+  h3, .panel h2 { font-size: 9.5pt; margin: 0 0 5px; } .note { font-size: 8pt; margin: 6px 0; }
   .flow { margin: 12px 0 14px; } .flow ul, figcaption, caption { font-size: 8.5pt; }
   .panel { gap: 16px; break-inside: avoid; margin-bottom: 14px;
     grid-template-columns: minmax(0, 1.25fr) minmax(0, 1fr); }

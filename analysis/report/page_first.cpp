@@ -192,7 +192,7 @@ Html panel(const Results& results, const Spotlight& spot) {
                          "differ."));
   }
   return element("div", {{"class", "panel"}},
-                 element("div", element("h3", capitalised(measure.label) + task +
+                 element("div", element("h2", capitalised(measure.label) + task +
                                                   ": one dot per participant, median with 95 % "
                                                   "interval") +
                                     dot_chart(results, spot)) +

@@ -111,7 +111,7 @@ Html method_section(const Results& results) {
         fmt::format("Task {}: {}", task.name, count_of(size_of(task.targets), "target", "targets"));
     if (task.limit_s) sentence += fmt::format(", time limit {} s", exact_number(*task.limit_s));
     if (task.threshold_m) {
-      sentence += fmt::format(", threshold D {} cm", exact_number(*task.threshold_m * 100));
+      sentence += fmt::format(", threshold D {} cm", fixed(*task.threshold_m * 100, 2));
     }
     html += element("p", sentence + ".");
   }
