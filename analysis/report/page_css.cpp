@@ -34,7 +34,7 @@ p { max-width: 82ch; }
 .flow ul { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 26px; margin: 8px 0 0;
   padding: 0; font-size: 15px; }
 .flow li i { display: inline-block; width: 13px; height: 13px; border: 1px solid var(--ink);
-  margin-right: 7px; vertical-align: -1px; }
+  margin-right: 7px; vertical-align: -1px; overflow: hidden; }
 .bar span, .flow li i { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .panel { display: grid; grid-template-columns: minmax(0, 1.5fr) minmax(0, 1fr); gap: 40px;
   margin: 0 0 30px; align-items: start; }

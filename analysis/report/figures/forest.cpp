@@ -67,6 +67,20 @@ std::string row_names(const Results& results, const Pairs& pairs, double room_mm
   return "set ytics (" + tics + ") scale 0\n";
 }
 
+std::string caption_of(const Results& results, int task, const Measure& measure,
+                       const Pairs& pairs) {
+  const auto by_n = [](auto* a, auto* b) { return a->test.n < b->test.n; };
+  const auto [least, most] = std::minmax_element(pairs.begin(), pairs.end(), by_n);
+  const int n = (*most)->test.n;
+  const bool same = (*least)->test.n == n;
+  return fmt::format(
+      "Differences of {}{} between interfaces, one value per participant (mean over targets): "
+      "Hodges-Lehmann estimate with 95 % interval, n = {}. Filled: p < .05{}.",
+      measure.label, in_task(results, task),
+      same ? std::to_string(n) : fmt::format("{} to {}", (*least)->test.n, n),
+      pairs.size() > 1 ? fmt::format(" after Holm's adjustment over {} pairs", pairs.size()) : "");
+}
+
 constexpr const char* plot =
     "plot '{0}.csv' using ($2*{1}):1:($3*{1}):($4*{1}) with xerrorbars pt 0 lw 1.5 "
     "lc rgb '#000000', \\\n"
@@ -94,12 +108,7 @@ std::optional<Figure> forest(const Results& results, int task, const std::string
   figure.task = task;
   figure.name = figure_name(results, task, name + "_pairs");
   figure.title = capitalised(measure.label) + ": all pairs of interfaces";
-  figure.caption = fmt::format(
-      "Differences of {}{} between interfaces, one value per participant (mean over targets): "
-      "Hodges-Lehmann estimate with 95 % interval, n = {}. Filled: p < .05 after Holm's "
-      "adjustment over {}.",
-      measure.label, in_task(results, task), pairs.front()->test.n,
-      count_of(size_of(pairs), "pair", "pairs"));
+  figure.caption = caption_of(results, task, measure, pairs);
   figure.width_mm = frame.width_mm;
   figure.height_mm = framing.height_mm;
   figure.data = {data_of(results, pairs)};
