@@ -159,9 +159,10 @@ class Builder {
     data_.interfaces = in_order(interfaces, outline_.interfaces);
     task_names_ = in_order(tasks, outline_.tasks);
     for (const std::string& name : task_names_) {
-      data_.tasks.push_back({name, in_order(targets[name], outline_.targets),
-                             common(name, &LoggedTrial::limit_s),
-                             common(name, &LoggedTrial::threshold_m)});
+      data_.tasks.push_back(
+          {name, in_order(targets[name], outline_.targets), common(name, &LoggedTrial::limit_s),
+           common(name, &LoggedTrial::threshold_m),
+           std::count(outline_.guesses.begin(), outline_.guesses.end(), name) > 0});
     }
   }
 

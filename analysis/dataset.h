@@ -58,6 +58,7 @@ struct Task {
   std::string name;
   std::vector<std::string> targets;
   std::optional<double> limit_s, threshold_m;  // if all its trials had the same
+  bool guess = false;  // people set the controls without seeing what comes out
 };
 
 struct Dataset {

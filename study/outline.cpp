@@ -45,13 +45,27 @@ std::vector<std::string> targets_in(const TomlValue& root) {
   return names;
 }
 
+// Names of the tasks of kind guess.
+std::vector<std::string> guesses_in(const TomlValue& root) {
+  std::vector<std::string> names;
+  const TomlValue* tasks = find(root, "task");
+  if (!tasks) return names;
+  for (const TomlValue& task : tasks->elements) {
+    const TomlValue* kind = find(task, "kind");
+    const TomlValue* name = find(task, "name");
+    if (!kind || !name || kind->text != "guess") continue;
+    if (name->kind == TomlValue::Kind::text) names.push_back(name->text);
+  }
+  return names;
+}
+
 }  // namespace
 
 Outline outline_of(std::string_view config_text) {
   try {
     const TomlValue root = parse_toml("", config_text);
     return {names_in(root, "interface", {"name", "type"}), names_in(root, "task", {"name"}),
-            targets_in(root), names_in(root, "rating", {"item"})};
+            targets_in(root), names_in(root, "rating", {"item"}), guesses_in(root)};
   } catch (const InputError&) {
     return {};
   }

@@ -16,17 +16,16 @@ namespace promenade::analysis {
 namespace {
 
 constexpr const char* script_name = "figure.gp";
-constexpr const char* message_name = "figure.log";
 
 // What gnuplot is told by spawn before it starts.
 class Actions {
  public:
-  explicit Actions(const std::filesystem::path& folder) {
+  Actions(const std::filesystem::path& folder, const std::string& message_name) {
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, message_name,
+    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, message_name.c_str(),
                                      O_WRONLY | O_CREAT | O_TRUNC, 0600);
   }
   ~Actions() { posix_spawn_file_actions_destroy(&actions_); }
@@ -75,10 +74,11 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
 }
 
 // The exit code; -1 with errno when it could not be started.
-int spawn_gnuplot(const std::filesystem::path& folder) {
-  std::vector<std::string> arguments = {"gnuplot", "-d", script_name};
+int spawn_gnuplot(const std::string& script, const std::filesystem::path& folder,
+                  const std::string& message_name) {
+  std::vector<std::string> arguments = {"gnuplot", "-d", script};
   std::vector<std::string> environment = plain_environment();
-  const Actions actions(folder);
+  const Actions actions(folder, message_name);
   const OwnGroup group;
   pid_t process = 0;
   const int error = posix_spawnp(&process, "gnuplot", actions.get(), group.get(),
@@ -97,10 +97,15 @@ int spawn_gnuplot(const std::filesystem::path& folder) {
 
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder) {
   write_file(folder / script_name, script);
-  const int code = spawn_gnuplot(folder);
-  const int error = errno;
+  run_gnuplot_file(script_name, folder);
   std::error_code ignored;
   std::filesystem::remove(folder / script_name, ignored);
+}
+
+void run_gnuplot_file(const std::string& name, const std::filesystem::path& folder) {
+  const std::string message_name = name + ".log";
+  const int code = spawn_gnuplot(name, folder, message_name);
+  const int error = errno;
   if (code < 0 || code == 127) {
     throw OutsideError(std::string("cannot start gnuplot, which draws the figures (") +
                        (code < 0 ? std::strerror(error) : "not found") +
@@ -109,6 +114,7 @@ void run_gnuplot(const std::string& script, const std::filesystem::path& folder)
   if (code != 0) {
     throw OutsideError("gnuplot could not draw a figure: " + read_file(folder / message_name));
   }
+  std::error_code ignored;
   std::filesystem::remove(folder / message_name, ignored);
 }
 

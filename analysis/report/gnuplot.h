@@ -11,6 +11,9 @@ namespace promenade::analysis {
 // Throws OutsideError when gnuplot is not installed or refuses the script.
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
 
+// The same for a script that lies in the folder. Several threads may draw in one folder.
+void run_gnuplot_file(const std::string& script_name, const std::filesystem::path& folder);
+
 // A text as a gnuplot string that nothing in it can end, expand or execute.
 std::string gnuplot_text(std::string_view text);
 

@@ -25,10 +25,11 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
               element("title", results.log.study + " — Promenade report") +
               element("style", trusted(page_css()));
   Html body = stripe(results);
-  body += element("main", headline(results) + sensitivity_links(results) + flow_bar(results) +
-                              panels(results) + buttons(results, figures) +
-                              figure_section(figures) + table_sections(results) + shown(sections) +
-                              method_section(results) + provenance_section(results, sections));
+  body += element("main", headline(results) + flow_bar(results) + panels(results) +
+                              sensitivity_links(results) + buttons() +
+                              figure_section(results, figures) + table_sections(results) +
+                              shown(sections) + method_section(results) +
+                              file_section(results, sections) + provenance_section(results));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
          "\n";

@@ -12,11 +12,6 @@
 
 namespace promenade::analysis {
 
-struct DrawnFigure {
-  Figure figure;
-  std::string svg;  // bytes of the file
-};
-
 std::string report_page(const Results& results, const std::vector<Section>& sections,
                         const std::vector<DrawnFigure>& figures);
 

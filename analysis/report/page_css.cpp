@@ -16,7 +16,8 @@ main { max-width: 1280px; margin: 0 auto; padding: 28px 40px 60px; }
 h1 { font-size: 28px; line-height: 1.28; font-weight: 600; margin: 0 0 10px; max-width: 62ch;
   text-wrap: balance; }
 h2 { font-size: 22px; margin: 44px 0 8px; border-bottom: 2px solid var(--ink); padding-bottom: 4px; }
-h3 { font-size: 17px; margin: 0 0 10px; }
+h3, .panel h2 { font-size: 17px; margin: 0 0 10px; }
+.panel h2 { border: 0; padding: 0; }
 p { max-width: 82ch; }
 .second { font-size: 19px; margin: 0 0 8px; max-width: 80ch; }
 .caveat { border-left: 4px solid var(--ink); padding: 2px 0 2px 12px; margin: 8px 0; }
@@ -38,7 +39,7 @@ p { max-width: 82ch; }
 .flow ul { list-style: none; display: flex; flex-wrap: wrap; gap: 4px 26px; margin: 8px 0 0;
   padding: 0; font-size: 15px; }
 .flow li i { display: inline-block; width: 13px; height: 13px; border: 1px solid var(--ink);
-  margin-right: 7px; vertical-align: -1px; }
+  margin-right: 7px; vertical-align: -1px; overflow: hidden; }
 .bar span, .flow li i { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .panel { display: grid; grid-template-columns: minmax(0, 1.5fr) minmax(0, 1fr); gap: 40px;
   margin: 0 0 30px; align-items: start; }
@@ -56,7 +57,8 @@ svg text { font: 13px "Noto Sans", Arial, sans-serif; fill: var(--quiet); }
 .triangle td { border: 1px solid var(--line); text-align: center; padding: 7px 3px;
   line-height: 1.3; font-size: 14px; }
 .triangle td.sig { border: 2px solid var(--ink); font-weight: 700; }
-.triangle td.ns { color: #767c83; background: #f4f5f6; }
+.triangle caption { font-size: 17px; font-weight: 700; padding-bottom: 10px; line-height: 1.45; }
+.triangle td.ns { color: #62686f; background: #f4f5f6; }
 .triangle td.none { border: 0; }
 .triangle td span { display: block; font-size: 13px; }
 .buttons { display: flex; flex-wrap: wrap; gap: 10px; margin: 6px 0 0; padding: 0; }
@@ -64,8 +66,10 @@ svg text { font: 13px "Noto Sans", Arial, sans-serif; fill: var(--quiet); }
   color: var(--ink); text-decoration: none; font-size: 15px; }
 .buttons a:hover, .buttons a:focus { background: #eef2f5; }
 .figures { display: flex; flex-wrap: wrap; gap: 28px; }
-figure { margin: 0; flex: 1 1 440px; max-width: 600px; break-inside: avoid; }
-figure img { width: 100%; height: auto; }
+figure { margin: 0; break-inside: avoid; flex: 1 1 440px; max-width: 586px; min-width: 0; }
+figure.full { flex-basis: 100%; max-width: 100%; }
+figure img { display: block; width: 100%; height: auto; }
+figcaption { margin-top: 6px; } figcaption .files { white-space: nowrap; }
 figcaption, caption { color: var(--ink); font-size: 15px; text-align: left; padding: 0 0 8px;
   caption-side: top; }
 .wide { overflow-x: auto; margin: 18px 0 30px; }
@@ -86,13 +90,14 @@ pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f4f5f6; paddi
 code { font-size: 14px; overflow-wrap: anywhere; }
 .note { color: var(--quiet); font-size: 15px; }
 @media (max-width: 900px) { .panel { grid-template-columns: 1fr; } main { padding: 20px; } }
+@media (max-width: 600px) { .strip { grid-template-columns: 1fr; gap: 2px; padding-top: 5px; } }
 @page { size: A4; margin: 15mm 13mm; }
 @media print {
   body { font-size: 10pt; }
   main { padding: 0; max-width: none; }
   .stripe { padding: 5px 10px; font-size: 11pt; margin-bottom: 8px; }
   h1 { font-size: 16pt; } .second { font-size: 11pt; } h2 { font-size: 13pt; margin-top: 26px; }
-  h3 { font-size: 9.5pt; margin-bottom: 5px; } .note { font-size: 8pt; margin: 6px 0; }
+  h3, .panel h2 { font-size: 9.5pt; margin: 0 0 5px; } .note { font-size: 8pt; margin: 6px 0; }
   .flow { margin: 12px 0 14px; } .flow ul, figcaption, caption { font-size: 8.5pt; }
   .panel { gap: 16px; break-inside: avoid; margin-bottom: 14px;
     grid-template-columns: minmax(0, 1.25fr) minmax(0, 1fr); }
@@ -100,8 +105,10 @@ code { font-size: 14px; overflow-wrap: anywhere; }
   .strip small { font-size: 7.5pt; }
   .wide { overflow: visible; margin: 12px 0 20px; } table { font-size: 8pt; }
   .wide th, .wide td { padding: 1.5px 4px; }
+  .triangle caption { font-size: 9.5pt; padding-bottom: 5px; }
   .triangle td, .triangle th, .triangle td span { font-size: 7.5pt; padding: 3px 1px; }
-  tr, figure, .flow { break-inside: avoid; } h2, caption { break-after: avoid; }
+  tr, figure, .flow { break-inside: avoid; } h2, h3, caption { break-after: avoid; }
+  tbody tr:nth-child(-n+3) { break-before: avoid; }
   thead { display: table-header-group; }
   figure { flex: 0 0 47%; } .buttons { display: none; }
 }

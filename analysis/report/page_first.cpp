@@ -158,7 +158,7 @@ Html pair_cell(const Measure& measure, const Comparison& pair) {
 }
 
 // Rows are a, columns b: the upper triangle of all pairs.
-Html triangle(const Results& results, const Spotlight& spot) {
+Html triangle(const Results& results, const Spotlight& spot, const std::string& caption) {
   const Measure& measure = item(results.data.measures, spot.measure);
   const auto pairs = results.pairs(spot.measure, spot.task);
   const auto& names = results.data.interfaces;
@@ -175,7 +175,7 @@ Html triangle(const Results& results, const Spotlight& spot) {
     }
     rows += element("tr", row);
   }
-  return element("table", {{"class", "triangle"}}, rows);
+  return element("table", {{"class", "triangle"}}, element("caption", caption) + rows);
 }
 
 Html panel(const Results& results, const Spotlight& spot) {
@@ -186,14 +186,13 @@ Html panel(const Results& results, const Spotlight& spot) {
   if (results.data.interfaces.size() > 1) {
     const int pairs = size_of(results.pairs(spot.measure, spot.task));
     const std::string family = pairs > 1 ? fmt::format(" (Holm over {} pairs)", pairs) : "";
-    right = element("h3", "Difference, row − column, and exact p" + family) +
-            triangle(results, spot) +
+    right = triangle(results, spot, "Difference, row − column, and exact p" + family) +
             element("p", {{"class", "note"}},
                     text("Hodges-Lehmann estimate. Framed and bold: p < .05; grey: not shown to "
                          "differ."));
   }
   return element("div", {{"class", "panel"}},
-                 element("div", element("h3", capitalised(measure.label) + task +
+                 element("div", element("h2", capitalised(measure.label) + task +
                                                   ": one dot per participant, median with 95 % "
                                                   "interval") +
                                     dot_chart(results, spot)) +
@@ -228,8 +227,8 @@ void add_step(int count, const std::string& name, Html& bar, Html& legend) {
     bar += element("span", {{"class", name}, {"style", fmt::format("flex: {}", count)}},
                    text(std::to_string(count)));
   }
-  legend +=
-      element("li", element("i", {{"class", name}}, {}) + text(fmt::format("{} {}", count, name)));
+  legend += element("li", element("i", {{"class", name}}, text("\u00a0")) +
+                              text(fmt::format("{} {}", count, name)));
 }
 
 }  // namespace
@@ -257,7 +256,7 @@ Html stripe(const Results& results) {
     words += fmt::format("{}PILOT: {} of {} participants took part in pilot sessions.",
                          words.empty() ? "" : " ", pilot, selection.people.size());
   }
-  return element("div", {{"class", "stripe"}, {"role", "alert"}}, text(words));
+  return element("header", {{"class", "stripe"}}, text(words));
 }
 
 Html headline(const Results& results) {
@@ -316,14 +315,10 @@ Html panels(const Results& results) {
   return html;
 }
 
-Html buttons(const Results& results, const std::vector<DrawnFigure>& figures) {
-  Html html = link("report.json", "All numbers (JSON)");
-  for (const Table& table : make_tables(results)) {
-    html += link("tables/" + table.name + ".csv", capitalised(table.name) + " (CSV)");
-  }
-  for (const DrawnFigure& drawn : figures) {
-    html += link("figures/" + drawn.figure.name + ".pdf", "Figure " + drawn.figure.name + " (PDF)");
-  }
+Html buttons() {
+  Html html = link("#data", "Data");
+  html += link("analysis.R", "R script");
+  html += link("#figures", "PDF figures");
   return element("nav", {{"class", "buttons"}, {"aria-label", "Files"}}, html);
 }
 

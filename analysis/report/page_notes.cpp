@@ -87,17 +87,6 @@ HtmlTable exclusion_table(const Selection& selection) {
   return table;
 }
 
-HtmlTable data_table(const Results& results, const std::vector<Section>& sections) {
-  HtmlTable table;
-  table.caption = "Files beside this page; numbers with full precision, metres and seconds.";
-  table.columns = {"file", "what a row is", "rows"};
-  for (const Table& one : all_tables(results, sections)) {
-    table.rows.push_back(
-        {"tables/" + one.name + ".csv", one.caption, std::to_string(one.rows.size())});
-  }
-  return table;
-}
-
 Html text_table(const HtmlTable& table) {
   return element("div", {{"class", "wide text"}}, render(table));
 }
@@ -122,21 +111,20 @@ Html method_section(const Results& results) {
         fmt::format("Task {}: {}", task.name, count_of(size_of(task.targets), "target", "targets"));
     if (task.limit_s) sentence += fmt::format(", time limit {} s", exact_number(*task.limit_s));
     if (task.threshold_m) {
-      sentence += fmt::format(", threshold D {} cm", exact_number(*task.threshold_m * 100));
+      sentence += fmt::format(", threshold D {} cm", fixed(*task.threshold_m * 100, 2));
     }
     html += element("p", sentence + ".");
   }
   return html;
 }
 
-Html provenance_section(const Results& results, const std::vector<Section>& sections) {
+Html provenance_section(const Results& results) {
   Html html = element("h2", "Provenance") + text_table(fact_table(results)) +
               amendments(results.log) + text_table(file_table(results.log));
   if (!results.selection.exclusions.empty()) {
     html += text_table(exclusion_table(results.selection));
   }
-  html += text_table(data_table(results, sections)) +
-          element("p", "Queries behind every number, before people are selected as above:");
+  html += element("p", "Queries behind every number, before people are selected as above:");
   std::string queries;
   for (const std::string& query : log_queries()) queries += query + ";\n";
   return html + element("pre", queries);

@@ -1,4 +1,4 @@
-// Figures, and the tables that a paper would print.
+// The tables that a paper would print.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -155,19 +155,6 @@ Html task_tables(const Results& results, int task) {
 }
 
 }  // namespace
-
-Html figure_section(const std::vector<DrawnFigure>& figures) {
-  Html html;
-  int number = 0;
-  for (const DrawnFigure& drawn : figures) {
-    const std::string source = "data:image/svg+xml;base64," + base64(drawn.svg);
-    html += element(
-        "figure",
-        empty_element("img", {{"src", source}, {"alt", drawn.figure.caption}}) +
-            element("figcaption", fmt::format("Figure {}. {}", ++number, drawn.figure.caption)));
-  }
-  return element("h2", "Figures") + element("div", {{"class", "figures"}}, html);
-}
 
 Html table_sections(const Results& results) {
   Html html;

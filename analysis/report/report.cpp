@@ -15,27 +15,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<DrawnFigure> draw_all(const Results& results, const fs::path& folder,
-                                  const Progress& progress) {
-  std::vector<DrawnFigure> drawn;
-  const std::vector<Figure> figures = figures_of(results);
-  for (const Figure& figure : figures) {
-    report_progress(progress, "figures drawn:", size_of(drawn), size_of(figures));
-    draw(results, figure, folder);
-    drawn.push_back({figure, read_file(folder / (figure.name + ".svg"))});
-  }
-  report_progress(progress, "figures drawn:", size_of(drawn), size_of(figures));
-  return drawn;
-}
-
 void write_all(const Results& results, const fs::path& folder, const Progress& progress) {
-  const std::vector<DrawnFigure> figures = draw_all(results, folder / "figures", progress);
-  const std::vector<Section> sections = sections_of(results);
+  const std::vector<Figure> figures = figures_of(results);
+  const std::vector<DrawnFigure> drawn = draw(figures, folder / "figures", progress);
+  std::vector<Section> sections = sections_of(results);
+  sections.push_back(figure_numbers(figures));
   for (const Table& table : all_tables(results, sections)) {
     write_file(folder / "tables" / (table.name + ".csv"), to_csv(table));
   }
   write_file(folder / "report.json", report_json(results, sections));
-  write_file(folder / "report.html", report_page(results, sections, figures));
+  write_file(folder / "report.html", report_page(results, sections, drawn));
 }
 
 }  // namespace

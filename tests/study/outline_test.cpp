@@ -22,6 +22,13 @@ TEST(Outline, NamesTargetsAndQualitiesOfAllTasksOnce) {
   EXPECT_EQ(outline.targets, (std::vector<std::string>{"sad", "mix", "tired"}));
 }
 
+TEST(Outline, NamesTheTasksInWhichOneGuesses) {
+  const Outline outline = outline_of(
+      "[[task]]\nname = \"a\"\nkind = \"guess\"\n[[task]]\nname = \"b\"\nkind = \"match\"\n"
+      "[[task]]\nkind = \"guess\"\n[[task]]\nname = \"c\"\nkind = 3\n");
+  EXPECT_EQ(outline.guesses, std::vector<std::string>{"a"});
+}
+
 TEST(Outline, OfWhatIsNoStudyIsEmpty) {
   for (const char* text : {"", "interface = 3", "[[interface]]\nname = 3", "{{{", "\xff\xfe"}) {
     EXPECT_TRUE(outline_of(text).interfaces.empty()) << text;

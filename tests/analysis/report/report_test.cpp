@@ -225,7 +225,8 @@ TEST(Report, SaysHowFarItIs) {
                   seen[what].push_back(done);
                   return true;
                 }});
-  EXPECT_EQ(seen["figures drawn:"], (std::vector<int>{0, 1, 2}));
+  EXPECT_EQ(seen["figures drawn:"].front(), 0);
+  EXPECT_EQ(seen["figures drawn:"].back(), 10);
   EXPECT_EQ(seen["comparisons made:"].back(), 6 * 3) << "6 measures; mean, pooled, one target";
 }
 
