@@ -111,7 +111,7 @@ TEST_F(PeopleSections, ShowNoShowsInTheFlow) {
 TEST_F(PeopleSections, SpeakOfNoRosterWhereThereIsNone) {
   { fill(*std::make_unique<ToyLog>(files[0]), 2, 0.001); }
   EXPECT_TRUE(report()["participants"]["booked"].is_null());
-  EXPECT_FALSE(shows("no-show"));
+  EXPECT_FALSE(shows("booked"));
 }
 
 TEST_F(PeopleSections, ListEveryTrialWithItsFlags) {
