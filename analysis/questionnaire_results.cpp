@@ -198,6 +198,7 @@ class Maker {
     if (counts.back().count == 0) counts.pop_back();
     for (ChoiceCount& one : counts) {
       one.answers = answers;
+      one.is_pair = asked.pair;
       if (answers > 0) result_.choices.push_back(one);
     }
   }

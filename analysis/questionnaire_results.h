@@ -43,6 +43,7 @@ struct ChoiceCount {
   std::string choice;  // empty: own words
   int interface = -1;
   int count = 0, answers = 0;  // times chosen, of so many answers to the item
+  bool is_pair = false;        // the item asks between two, to weigh a score
 };
 
 struct RankResult {

@@ -192,8 +192,9 @@ class Comparer {
     } else if (changed == 0) {
       sentence += known == 1 ? "same conclusion" : "same conclusions";
     } else {
-      sentence += fmt::format("{} of {} {}: {}", changed, known,
-                              known == 1 ? "conclusion changes" : "conclusions change", names);
+      sentence += fmt::format("{} of {} {} {}: {}", changed, known,
+                              known == 1 ? "conclusion" : "conclusions",
+                              changed == 1 ? "changes" : "change", names);
       if (changed > 2) sentence += fmt::format("; and {} more", changed - 2);
     }
     if (known > 0 && unknown > 0) sentence += fmt::format(" ({} cannot be compared)", unknown);

@@ -187,10 +187,14 @@ HtmlTable shown_pairs(const Results& results, const QuestionnaireResult& one) {
 
 HtmlTable shown_choices(const Results& results, const QuestionnaireResult& one) {
   HtmlTable table;
-  table.caption = "Choices: how often each was made, of those who answered.";
+  table.caption =
+      "Choices: how often each was made, of those who answered. Choices between pairs, which weigh "
+      "a "
+      "score, stand in tables/questionnaire_choices.csv alone.";
   table.columns = {"item", "interface", "choice", "count", "answers", "share"};
   table.heads = 3;
   for (const ChoiceCount& choice : one.choices) {
+    if (choice.is_pair) continue;
     table.rows.push_back({choice.item, interface_name(results.data, choice.interface),
                           choice.choice.empty() ? own_words : choice.choice,
                           std::to_string(choice.count), std::to_string(choice.answers),
