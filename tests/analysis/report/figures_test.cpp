@@ -100,7 +100,10 @@ TEST(Figures, TellGuessesFromWhatWasSeen) {
   const TestFolder folder;
   {
     ToyLog log(folder.file("a.db"));
-    log.session({"P1"}).trial({.threshold_m = 0.06}).trial({.d_final = 0.07, .threshold_m = 0.06});
+    log.session({"P1"})
+        .trial({.threshold_m = 0.06})
+        .trial({.threshold_m = 0.06})
+        .trial({.d_final = 0.07, .threshold_m = 0.06});
     log.database().exec(
         "UPDATE study SET config_text = '[[task]]\nname = \"match\"\nkind = \"guess\"'");
   }
@@ -108,7 +111,7 @@ TEST(Figures, TellGuessesFromWhatWasSeen) {
   const auto found = std::find_if(figures.begin(), figures.end(),
                                   [](const Figure& one) { return one.name == "guessed"; });
   ASSERT_NE(found, figures.end());
-  EXPECT_EQ(std::get<double>(found->data[0].rows.at(0)[2]), 0.5);
+  EXPECT_DOUBLE_EQ(std::get<double>(found->data[0].rows.at(0)[2]), 2.0 / 3);
 }
 
 }  // namespace
