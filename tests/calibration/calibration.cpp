@@ -101,6 +101,17 @@ Verdict verdict_on(const std::vector<Comparison>& comparisons, int measure, doub
   return verdict;
 }
 
+// The share of failures with the first interface minus that with the second, per person: a few
+// values, many of them zero.
+Verdict verdict_on_failures(const Dataset& data, double alpha) {
+  std::vector<double> d(data.people.size(), 0.0);
+  for (const analysis::Trial& trial : data.trials) {
+    if (trial.failed) item(d, trial.person) += trial.interface == 0 ? 1 : -1;
+  }
+  const auto p = analysis::reported_p(analysis::wilcoxon(d));
+  return {p && *p <= alpha, false, attainable_size(d, alpha), !is_tied(d)};
+}
+
 // The time that every trial took, or at which it was stopped.
 analysis::LogRankTest logrank_of(const Dataset& data, bool stratified) {
   const int time = data.measure("time_s");
@@ -115,6 +126,7 @@ analysis::LogRankTest logrank_of(const Dataset& data, bool stratified) {
 
 struct StudyVerdict {
   std::vector<Verdict> measures;
+  Verdict failures;
   bool stratified = false, unstratified = false;  // log-rank, rejected
 };
 
@@ -124,6 +136,7 @@ StudyVerdict judge(const Dataset& data, double alpha) {
   for (const std::string& name : measures) {
     verdict.measures.push_back(verdict_on(comparisons, data.measure(name), alpha));
   }
+  verdict.failures = verdict_on_failures(data, alpha);
   const auto rejects = [&](bool stratified) {
     const auto p = logrank_of(data, stratified).p;
     return p && *p <= alpha;
@@ -148,6 +161,12 @@ std::vector<Size> add_up(const std::vector<StudyVerdict>& verdicts) {
     sizes.push_back(people);
     sizes.push_back(trials);
   }
+  Size failures{"failures", "one value per person", 0, studies, 0, 0};
+  for (const StudyVerdict& one : verdicts) {
+    failures.rejected += one.failures.participants ? 1 : 0;
+    failures.expected += one.failures.attainable / studies;
+  }
+  sizes.push_back(failures);
   Size stratified{"time_s", "log-rank, stratified", 0, studies, 0, 0};
   Size unstratified{"time_s", "log-rank, pooled trials", 0, studies, 0, 0};
   for (const StudyVerdict& one : verdicts) {

@@ -45,6 +45,7 @@ bool print_sizes(const Setting& setting) {
     good = print_size(size) && good;
     if (size.measure == "d_final" && size.expected > 0) untied = size.untied;
   }
+  std::fflush(stdout);
   fmt::print("\nFinal D was without ties in {:.1f} % of the studies.\n", 100 * untied);
   return good;
 }

@@ -14,9 +14,16 @@ Rehearsal rehearsal_of(const study::StudyBundle& bundle) {
 
 using Rows = std::vector<std::vector<std::optional<double>>>;
 
+// Of each person; the order of the trials goes by random identities.
 Rows values_of(const Dataset& data) {
   Rows rows;
-  for (const Trial& trial : data.trials) rows.push_back(trial.values);
+  for (int task = 0; task < static_cast<int>(data.tasks.size()); ++task) {
+    for (int measure = 0; measure < static_cast<int>(data.measures.size()); ++measure) {
+      for (const int interface : {0, 1}) {
+        rows.push_back(mean_per_person(data, measure, interface, task));
+      }
+    }
+  }
   return rows;
 }
 
