@@ -13,7 +13,8 @@ struct Rehearsal {
   const study::StudyBundle* bundle = nullptr;
   const study::InterfaceRegistry* registry = nullptr;
   study::Tendencies tendencies = {};
-  std::vector<std::string> tasks, measures;  // names; empty: all tasks; d_final and time_s
+  std::vector<std::string> tasks = {},
+                           measures = {};  // names; empty: all tasks; d_final and time_s
 };
 
 // One study of so many people, in memory. The same (seed, study) give the same people, of whom
