@@ -41,7 +41,7 @@ void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   const bool pooled = comparison.pooling == Pooling::trials;
   comparison.test = wilcoxon(comparison.d, Zeros::drop, pooled ? pooled_limit : sign_flips_limit);
   if (comparison.d.empty()) return;
-  comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
+  comparison.p = reported_p(comparison.test);
   const WalshAverages walsh(comparison.d);
   comparison.hl = hodges_lehmann(walsh);
   comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
@@ -99,6 +99,19 @@ std::vector<Comparison> compare_pairs(const Comparison& place,
   }
   adjust(family);
   return family;
+}
+
+std::optional<double> reported_p(const SignedRankTest& test) {
+  if (test.n == 0) return std::nullopt;
+  return test.exact ? test.exact->two : test.normal->two;
+}
+
+std::vector<Comparison> compare_participants(const Dataset& data, int measure, int task) {
+  Comparison place;
+  place.measure = measure;
+  place.task = task;
+  place.pooling = Pooling::participants;
+  return compare_at(data, place);
 }
 
 std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress) {

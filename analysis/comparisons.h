@@ -46,4 +46,10 @@ std::vector<Comparison> compare_pairs(const Comparison& place,
 // Throws OutsideError when `progress` stops it.
 std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress = {});
 
+// Of one measure in one task the means per person alone.
+std::vector<Comparison> compare_participants(const Dataset& data, int measure, int task);
+
+// The p that the report gives: exact; normal where that is not feasible; nothing for n = 0.
+std::optional<double> reported_p(const SignedRankTest& test);
+
 }  // namespace promenade::analysis

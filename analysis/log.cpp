@@ -52,11 +52,14 @@ constexpr const char* answer_query =
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
     "ORDER BY trial, t_us, item";
 
+// Nothing that is measured comes near it; squares and sums of what does would be infinite.
+constexpr double largest_value = 1e100;
+
 // SQLite stores infinities; they are counted in `dropped` and taken for missing.
 std::optional<double> real(const Statement& row, int column, int& dropped) {
   if (row.is_null(column)) return std::nullopt;
   const double value = row.real(column);
-  if (std::isfinite(value)) return value;
+  if (std::abs(value) < largest_value) return value;
   ++dropped;
   return std::nullopt;
 }

@@ -15,9 +15,9 @@ namespace {
 // The threads of one call; none is left when it goes away.
 class Crew {
  public:
-  Crew(int count, const std::function<void(int)>& work) : count_(count), work_(work) {
+  Crew(int count, const std::function<void(int)>& work, int threads) : count_(count), work_(work) {
     const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    const int workers = std::min(cores, count);
+    const int workers = std::min(threads > 0 ? threads : cores, count);
     workers_ = workers;
     for (int i = 0; i < workers; ++i) threads_.emplace_back([this] { run(); });
   }
@@ -70,8 +70,8 @@ class Crew {
 }  // namespace
 
 void for_each_index(int count, const std::function<void(int)>& work, const Progress& progress,
-                    const std::string& what) {
-  Crew crew(count, work);
+                    const std::string& what, int threads) {
+  Crew crew(count, work, threads);
   while (!crew.wait()) report_progress(progress, what, crew.done(), count);
   crew.rethrow();
   report_progress(progress, what, count, count);

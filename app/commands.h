@@ -21,6 +21,7 @@ void add_pack_command(CLI::App& program);
 void add_amend_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_export_command(CLI::App& program);
+void add_power_command(CLI::App& program);
 void add_stats_command(CLI::App& program);
 void add_withdraw_command(CLI::App& program);
 void add_merge_command(CLI::App& program);

@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   app::add_replay_command(program);
   app::add_report_command(program);
   app::add_export_command(program);
+  app::add_power_command(program);
   app::add_stats_command(program);
   app::add_withdraw_command(program);
   app::add_merge_command(program);

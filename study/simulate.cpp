@@ -127,7 +127,7 @@ bool simulate_rest(const StudyBundle& bundle, const InterfaceRegistry& registry,
   Ordered sessions(count, std::max(1, cohort.jobs), [&](int index) {
     const auto number = static_cast<std::uint64_t>(first) + static_cast<std::uint64_t>(index);
     const std::uint64_t seed = Rng(cohort.seed, number, "person").next();
-    return simulate_steps(bundle, registry, plan_of(index), seed);
+    return simulate_steps(bundle, registry, plan_of(index), seed, cohort.tendencies);
   });
   for (int index = 0; index < count; ++index) {
     const Steps steps = sessions.take(index);
@@ -151,8 +151,10 @@ class PlayedSession {
  public:
   using Sink = std::function<void(std::vector<Record>)>;
   PlayedSession(const StudyBundle& bundle, const InterfaceRegistry& registry, Session& session,
-                std::uint64_t seed, std::int64_t from_us, Sink sink)
-      : participant_(bundle, registry, seed), session_(session), sink_(std::move(sink)) {
+                std::uint64_t seed, const Tendencies& tendencies, std::int64_t from_us, Sink sink)
+      : participant_(bundle, registry, seed, tendencies),
+        session_(session),
+        sink_(std::move(sink)) {
     input_.t_us = from_us;
   }
 
@@ -210,7 +212,7 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
   const LoggedSession log = store.read_session(interrupted.uuid);
   Session session = replay(bundle, registry, log);
   store.resume_session(log, session.plan());
-  PlayedSession played(bundle, registry, session, Rng(seed, log.seed, "resumed").next(),
+  PlayedSession played(bundle, registry, session, Rng(seed, log.seed, "resumed").next(), {},
                        log.last_us,
                        [&store](const std::vector<Record>& step) { store.write(step); });
   played.step(0, Interrupted{gap_us(log, utc_now()), bundle.study.safety.resume});
@@ -221,10 +223,10 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
 }  // namespace
 
 Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry, const Plan& plan,
-                     std::uint64_t seed) {
+                     std::uint64_t seed, const Tendencies& tendencies) {
   Steps steps;
   Session session(bundle, registry, plan);
-  PlayedSession(bundle, registry, session, seed, 0, [&steps](std::vector<Record> step) {
+  PlayedSession(bundle, registry, session, seed, tendencies, 0, [&steps](std::vector<Record> step) {
     if (!step.empty()) steps.push_back(std::move(step));
   }).play();
   return steps;

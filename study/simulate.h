@@ -13,7 +13,7 @@ namespace promenade::study {
 // `Steps`: what each step of the session returned, as the store wants it.
 using Steps = std::vector<std::vector<Record>>;
 Steps simulate_steps(const StudyBundle& bundle, const InterfaceRegistry& registry, const Plan& plan,
-                     std::uint64_t seed);
+                     std::uint64_t seed, const Tendencies& tendencies = {});
 std::vector<Record> simulate_session(const StudyBundle& bundle, const InterfaceRegistry& registry,
                                      const Plan& plan, std::uint64_t seed);
 
@@ -26,6 +26,7 @@ struct Cohort {
   std::uint64_t seed = 1;
   int jobs = 1;  // threads; the content does not depend on them
   std::string machine = "{}";
+  Tendencies tendencies = {};
   // Called after each stored session with their number; false: stop here.
   std::function<bool(int done)> progress;
 };

@@ -45,16 +45,21 @@ Person draw_person(Rng& rng) {
 }
 
 SimulatedParticipant::SimulatedParticipant(const StudyBundle& bundle,
-                                           const InterfaceRegistry& registry, std::uint64_t seed)
+                                           const InterfaceRegistry& registry, std::uint64_t seed,
+                                           const Tendencies& tendencies)
     : bundle_(&bundle),
       registry_(&registry),
       rng_(seed, 0, "simulate"),
       person_(draw_person(rng_)),
+      tendencies_(tendencies),
+      seed_(seed),
       gram_(bundle.space.offsets.transpose() * bundle.space.offsets) {}
 
 Intention SimulatedParticipant::after(double mean_s, decltype(Input::action) action) {
-  const double seconds = std::max(0.15, log_normal(rng_, mean_s, 0.5));
+  const double slower = 1 + tendencies_.fatigue * awake_s_ / 600;
+  const double seconds = std::max(0.15, log_normal(rng_, mean_s * slower, 0.5));
   trial_.spent_s += seconds;
+  awake_s_ += seconds;
   return {static_cast<std::int64_t>(seconds * 1e6), std::move(action)};
 }
 
@@ -84,8 +89,8 @@ Intention SimulatedParticipant::at_page(const Session& session) {
 
 // How much of a thing somebody has who is as content as the person after this trial.
 double SimulatedParticipant::share_of_scale() {
-  return std::clamp(0.25 + 0.55 * trial_.success + person_.generosity + 0.12 * rng_.normal(), 0.0,
-                    1.0);
+  const double leaning = person_.generosity + trial_.liking;
+  return std::clamp(0.25 + 0.55 * trial_.success + leaning + 0.12 * rng_.normal(), 0.0, 1.0);
 }
 
 SetAnswer SimulatedParticipant::answer_to(const Item& item) {
@@ -140,6 +145,19 @@ Intention SimulatedParticipant::at_questionnaire(const Session& session) {
   return after(1, Continue{});
 }
 
+void SimulatedParticipant::apply_tendencies(int interface) {
+  trial_.noise = tendencies_.noise * std::pow(1 - tendencies_.learning, trial_.index);
+  if (interface < 0) return;
+  const auto index = static_cast<std::size_t>(interface);
+  const std::string& name = bundle_->study.interfaces[index].name;
+  const auto difficulty = tendencies_.difficulty.find(name);
+  if (difficulty != tendencies_.difficulty.end()) trial_.noise *= difficulty->second;
+  const auto preference = tendencies_.preference.find(name);
+  if (preference != tendencies_.preference.end()) trial_.liking = preference->second;
+  trial_.noise *= std::exp(tendencies_.aptitude * Rng(seed_, index, "aptitude").normal());
+  trial_.liking += tendencies_.taste * Rng(seed_, index, "taste").normal();
+}
+
 void SimulatedParticipant::begin_trial(const Session& session) {
   const TrialState& state = *session.trial();
   const PlannedTrial& planned = session.plan().trials[static_cast<std::size_t>(state.index)];
@@ -150,6 +168,7 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   trial_.blind = task_of(bundle_->study, planned).blind;
   trial_.first = state.d.value_or(1);
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
+  apply_tendencies(planned.interface);
   const Task& task = task_of(bundle_->study, planned);
   if (task.kind == TaskKind::rate) return;
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
@@ -174,7 +193,9 @@ double SimulatedParticipant::seen(const TrialState& trial) const {
   return trial.d && !trial_.blind ? *trial.d : imagined(trial.weights);
 }
 
-double SimulatedParticipant::unit() const { return trial_.target.size() > 0 ? 1 : 5; }
+double SimulatedParticipant::unit() const {
+  return trial_.noise * (trial_.target.size() > 0 ? 1 : 5);
+}
 
 std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& session,
                                                             const TrialState& trial) {

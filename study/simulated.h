@@ -9,6 +9,9 @@
 // amount, which all simulated people share, and most by a style of that name.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "study/session.h"
 
 namespace promenade::study {
@@ -24,6 +27,20 @@ struct Person {
 };
 Person draw_person(Rng& rng);
 
+// What all simulated people of a cohort have beside what each is drawn as (docs/methods.md, 3).
+// The defaults change nothing. Maps go by the name of the interface.
+struct Tendencies {
+  double noise = 1;     // factor of what people misjudge, seen or imagined
+  double learning = 0;  // share of it that each trial of the session takes away, practice included
+  double fatigue = 0;   // every ten minutes of the session actions take this share longer
+  std::map<std::string, double> difficulty;  // factor of the noise; 1 where it is not named
+  std::map<std::string, double> preference;  // added to ratings, as a share of the scale
+  // Between people, drawn for each interface anew: standard deviations of the logarithm of their
+  // own factor of the noise, and of their own addition to ratings.
+  double aptitude = 0;
+  double taste = 0;
+};
+
 // What the person does next, and after how long.
 struct Intention {
   std::int64_t wait_us = 0;
@@ -33,7 +50,7 @@ struct Intention {
 class SimulatedParticipant {
  public:
   SimulatedParticipant(const StudyBundle& bundle, const InterfaceRegistry& registry,
-                       std::uint64_t seed);
+                       std::uint64_t seed, const Tendencies& tendencies = {});
   Intention next(const Session& session);
 
  private:
@@ -48,6 +65,8 @@ class SimulatedParticipant {
     Eigen::VectorXd appeal;        // N, 0 to 1; empty in match tasks
     double first = 1;              // how far from the wish the start was
     double success = 0;            // how it went so far, 0 to 1
+    double noise = 1;              // factor of what is misjudged
+    double liking = 0;             // of its interface: added to ratings, as a share of the scale
   };
   Intention at_page(const Session& session);
   Intention at_trial(const Session& session);
@@ -56,6 +75,7 @@ class SimulatedParticipant {
   SetAnswer answer_to(const Item& item);
   double share_of_scale();  // 0 to 1
   void begin_trial(const Session& session);
+  void apply_tendencies(int interface);  // to the trial that began; -1: no interface
   // How far from the wish: metres of D in match, 1 - appeal in find.
   double imagined(const Eigen::VectorXd& weights) const;
   double seen(const TrialState& trial) const;
@@ -67,6 +87,9 @@ class SimulatedParticipant {
   const InterfaceRegistry* registry_;
   Rng rng_;
   Person person_;
+  Tendencies tendencies_;
+  std::uint64_t seed_;
+  double awake_s_ = 0;    // since the session began
   Eigen::MatrixXd gram_;  // N x N: offsets^T offsets
   Trial trial_;
 };

@@ -520,6 +520,8 @@ void Store::write_frames(int trial, const FrameHistogram& frames) {
   put("work", frames.work);
 }
 
+Database& Store::database() { return implementation_->database; }
+
 void Store::flush() { implementation_->commit(); }
 
 void Store::end_session(const std::string& ended_utc) {

@@ -19,6 +19,8 @@
 
 namespace promenade::study {
 
+class Database;
+
 struct SessionHeader {
   std::string participant;  // code
   std::string station = "1";
@@ -94,6 +96,9 @@ class Store {
   void write_frames(int trial, const FrameHistogram& frames);
   void flush();
   void end_session(const std::string& ended_utc);
+
+  // Where it all is, for whoever reads it in between: the only way to one in ":memory:".
+  Database& database();
 
  private:
   struct Implementation;
