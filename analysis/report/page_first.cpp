@@ -303,6 +303,7 @@ Html buttons(const Results& results, const std::vector<DrawnFigure>& figures) {
   for (const Table& table : make_tables(results)) {
     html += link("tables/" + table.name + ".csv", capitalised(table.name) + " (CSV)");
   }
+  html += link("analysis.R", "R script");
   for (const DrawnFigure& drawn : figures) {
     html += link("figures/" + drawn.figure.name + ".pdf", "Figure " + drawn.figure.name + " (PDF)");
   }
