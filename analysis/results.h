@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "analysis/comparisons.h"
+#include "analysis/prereg/prereg_check.h"
 #include "analysis/summaries.h"
 
 namespace promenade::analysis {
@@ -19,6 +20,7 @@ struct Results {
   std::vector<Comparison> comparisons;
   std::vector<FailureRatio> failures;
   std::vector<Summary> summaries;
+  std::optional<PreregCheck> prereg;  // with `report --prereg` only
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;
