@@ -108,7 +108,7 @@ TEST(Report, ListsWhatIsDifferentFromTheOneBefore) {
   const ReportOptions options{{folder.file("a.db")}, folder.file("out"), {}, {}};
   write_report(options);
   const std::string file = folder.file("out/report.json");
-  Json before = Json::parse(read_file(file));
+  auto before = nlohmann::ordered_json::parse(read_file(file));
   before["program_version"] = "0.0.9";
   before["wilcoxon"][0]["hl"] = 1;
   write_file(file, before.dump());
