@@ -59,6 +59,21 @@ const std::vector<Measure>& process_measures() {
   return all;
 }
 
+// Is it a column of tables/trials.csv that is no rating?
+bool is_trial_column(const std::string& name) {
+  static constexpr std::array<std::string_view, 13> about = {
+      "participant", "session",       "trial",
+      "station",     "study_version", "block",
+      "position",    "interface",     "previous_interface",
+      "task",        "target",        "outcome",
+      "failed"};
+  const auto has_name = [&](const auto& column) { return column.measure.name == name; };
+  const auto& process = process_columns();
+  return std::find(about.begin(), about.end(), name) != about.end() ||
+         std::any_of(columns().begin(), columns().end(), has_name) ||
+         std::find(process.begin(), process.end(), name) != process.end();
+}
+
 constexpr std::int64_t coarse_time_us = 50'000;
 
 TrialQuality quality_of(const LoggedTrial& trial) {
@@ -181,18 +196,12 @@ class Builder {
   }
 
   void name_measures() {
-    for (const Column& column : columns()) data_.measures.push_back(column.measure);
     std::set<std::string> items;
     for (const LoggedAnswer& answer : log_.answers) {
       if (item(trial_of_logged_, answer.trial) >= 0) items.insert(answer.item);
     }
     items_ = in_order(items, outline_.ratings);
-    for (const std::string& item : items_) {
-      const bool taken = data_.measure(item) >= 0;
-      data_.measures.push_back(
-          {taken ? "answer." + item : item, item, "", "", 1, 1, MeasureKind::rating});
-    }
-    for (const Measure& measure : process_measures()) data_.measures.push_back(measure);
+    data_.measures = measures_with(items_);
   }
 
   Trial trial_of(int index) const {
@@ -267,6 +276,18 @@ int Dataset::measure(std::string_view name) const {
     if (measures[i].name == name) return static_cast<int>(i);
   }
   return -1;
+}
+
+std::vector<Measure> measures_with(const std::vector<std::string>& rating_items) {
+  std::vector<Measure> measures;
+  for (const Column& column : columns()) measures.push_back(column.measure);
+  for (const std::string& name : rating_items) {
+    const bool taken = is_trial_column(name);
+    measures.push_back({taken ? "answer." + name : name, name, "", "", 1, 1, MeasureKind::rating});
+  }
+  const auto& process = process_measures();
+  measures.insert(measures.end(), process.begin(), process.end());
+  return measures;
 }
 
 bool Dataset::occurs(int measure, int task) const {

@@ -26,6 +26,9 @@ struct Measure {
   MeasureKind kind = MeasureKind::result;
 };
 
+// The measures of every trial: results, then ratings by these items, then those of the process.
+std::vector<Measure> measures_with(const std::vector<std::string>& rating_items);
+
 // Why a trial is better left out of a sensitivity analysis (docs/methods.md, 6).
 struct TrialQuality {
   int late_frames = 0;

@@ -8,7 +8,9 @@
 
 #include "analysis/item.h"
 #include "motion/problem.h"
+#include "study/identity.h"
 #include "study/migrate.h"
+#include "study/prereg_seal.h"
 #include "study/schema.h"
 #include "study/sqlite.h"
 #include "study/versions.h"
@@ -141,11 +143,11 @@ class Reader {
       throw InputError(database.file(), "holds another study, or another version of it, than " +
                                             log_.files[0].file + "; report them one by one");
     }
-    for (const study::StudyVersion& one : versions) add_version(one);
+    for (const study::StudyVersion& one : versions) add_version(database, one);
   }
 
   // The newest one is the same in all files and stays the last.
-  void add_version(const study::StudyVersion& one) {
+  void add_version(Database& database, const study::StudyVersion& one) {
     const int known = version_of(one.sha256);
     if (known < size_of(log_.versions)) {
       // A station that began with this version does not know why it came.
@@ -157,8 +159,11 @@ class Reader {
       return;
     }
     const bool first_file = file_index() == 0;
-    log_.versions.insert(log_.versions.end() - (first_file ? 0 : 1),
-                         {one.version, one.sha256, one.reason, one.amended_utc});
+    LoggedVersion version{one.version, one.sha256, one.reason, one.amended_utc};
+    const auto seal = study::seal_in(database, one.uuid, one.config_text);
+    if (seal) version.seal = seal->sha256;
+    version.unsealed_sha256 = study::sha256_hex(study::without_seal(one.config_text));
+    log_.versions.insert(log_.versions.end() - (first_file ? 0 : 1), std::move(version));
   }
 
   int version_of(const std::string& sha256) const {

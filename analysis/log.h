@@ -89,6 +89,9 @@ struct LoggedVersion {
   std::string version, sha256;
   std::string reason, amended_utc;             // empty: the first
   int sessions = 0, finished = 0, trials = 0;  // rows taken, simulated ones and pilots included
+  // SHA-256 of the preregistration that it names, and of its text without that name
+  // (study/prereg_seal.h); `seal` is empty where it names none.
+  std::string seal, unsealed_sha256;
 };
 
 struct Log {

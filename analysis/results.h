@@ -10,6 +10,7 @@
 #include "analysis/deviations.h"
 #include "analysis/flow.h"
 #include "analysis/order_effects.h"
+#include "analysis/prereg/prereg_check.h"
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
 #include "analysis/regret.h"
@@ -33,6 +34,7 @@ struct Results {
   OrderEffects order;
   std::vector<QuestionnaireResult> questionnaires;
   Sensitivity sensitivity;
+  std::optional<PreregCheck> prereg;  // with `report --prereg` only
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;

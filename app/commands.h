@@ -19,6 +19,7 @@ void add_replay_command(CLI::App& program);
 void add_model_command(CLI::App& program);
 void add_pack_command(CLI::App& program);
 void add_amend_command(CLI::App& program);
+void add_prereg_command(CLI::App& program);
 void add_report_command(CLI::App& program);
 void add_export_command(CLI::App& program);
 void add_power_command(CLI::App& program);

@@ -1,5 +1,6 @@
 #include "app/document.h"
 
+#include "analysis/prereg/sealed_plan.h"
 #include "analysis/report/html.h"
 
 namespace promenade::app {
@@ -13,6 +14,7 @@ using analysis::trusted;
 constexpr std::string_view css =
     "body{font:16px/1.5 sans-serif;max-width:50em;margin:2em auto;padding:0 1em;color:#222}"
     "table{border-collapse:collapse;width:100%;margin:1em 0}"
+    "pre{background:#f4f4f4;padding:1em;white-space:pre-wrap;overflow-wrap:anywhere}"
     "td,th{border-bottom:1px solid #ccc;padding:.3em .6em;text-align:left;vertical-align:top}";
 
 std::vector<std::string> paragraphs_of(std::string_view text) {
@@ -80,6 +82,8 @@ void HtmlDocument::table(const Cells& columns, const std::vector<Cells>& rows) {
   body_ += element("table", lines).code + "\n";
 }
 
+void HtmlDocument::verbatim(std::string_view words) { body_ += element("pre", words).code + "\n"; }
+
 std::string HtmlDocument::take(const std::string& title) {
   const Html head = trusted("<meta charset=\"utf-8\">\n") + element("title", title) +
                     element("style", trusted(css));
@@ -109,6 +113,12 @@ void MarkdownDocument::table(const Cells& columns, const std::vector<Cells>& row
   body_ += "\n";
   for (const Cells& row : rows) body_ += row_text(row);
   body_ += "\n";
+}
+
+void MarkdownDocument::verbatim(std::string_view words) {
+  const std::string fence = analysis::fence_for(words);
+  const bool ends = !words.empty() && words.back() == '\n';
+  body_ += fence + "\n" + std::string(words) + (ends ? "" : "\n") + fence + "\n\n";
 }
 
 std::string MarkdownDocument::take(const std::string&) { return body_; }

@@ -17,6 +17,7 @@ class Document {
   virtual void paragraph(std::string_view text) = 0;           // an empty line begins another
   virtual void list(const std::vector<std::string>& points) = 0;
   virtual void table(const Cells& columns, const std::vector<Cells>& rows) = 0;
+  virtual void verbatim(std::string_view text) = 0;        // of a file, to the letter
   virtual std::string take(const std::string& title) = 0;  // the whole of it
 };
 
@@ -26,6 +27,7 @@ class HtmlDocument : public Document {
   void paragraph(std::string_view text) override;
   void list(const std::vector<std::string>& points) override;
   void table(const Cells& columns, const std::vector<Cells>& rows) override;
+  void verbatim(std::string_view text) override;
   std::string take(const std::string& title) override;
 
  private:
@@ -38,6 +40,7 @@ class MarkdownDocument : public Document {
   void paragraph(std::string_view text) override;
   void list(const std::vector<std::string>& points) override;
   void table(const Cells& columns, const std::vector<Cells>& rows) override;
+  void verbatim(std::string_view text) override;
   std::string take(const std::string& title) override;
 
  private:

@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
   app::add_pack_command(program);
   app::add_amend_command(program);
   app::add_replay_command(program);
+  app::add_prereg_command(program);
   app::add_report_command(program);
   app::add_export_command(program);
   app::add_power_command(program);

@@ -13,6 +13,7 @@
 #include "study/identity.h"
 #include "study/pack.h"
 #include "study/plan.h"
+#include "study/prereg_seal.h"
 #include "study/ratings_csv.h"
 #include "study/simulated_raters.h"
 #include "study/study_parts.h"
@@ -193,6 +194,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_practice(root, study);
   read_safety(root, study);
   StudyFiles files(std::filesystem::path(file).parent_path().string(), read);
+  read_prereg_file(root, text, files);
   bundle.texts = texts_of_languages(files, study.languages);
   std::optional<motion::MotionSet> set;
   if (names_its_set(root)) set = read_set(root, study.set, load_set);
@@ -243,6 +245,16 @@ StudyBundle read_frozen_study(const std::string& file, const FrozenStudy& frozen
   bundle.set_sha256 = sha256_hex(bundle.set_bytes);
   bundle.sha256 = study_hash(bundle, registry);
   return bundle;
+}
+
+StudyBundle load_unsealed_study(const std::string& file, const InterfaceRegistry& registry) {
+  std::string text = text_of(file);
+  if (!is_packed(text)) return read_study(file, without_seal(text), registry, load_motion_set);
+  FrozenStudy frozen = read_pack(text, file).study;
+  const std::string document = prereg_file_in(frozen.config_text);
+  frozen.config_text = without_seal(frozen.config_text);
+  std::erase_if(frozen.parts, [&](const StudyPart& part) { return part.path == document; });
+  return read_frozen_study(file, frozen, registry);
 }
 
 StudyBundle load_study(const std::string& file, const InterfaceRegistry& registry) {

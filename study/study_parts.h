@@ -97,6 +97,9 @@ std::vector<InterfaceUse> read_interfaces(const TomlTable& root, const Interface
                                           const InterfaceResources* resources);
 // The file of ratings, if the study names one: Study::ratings_file, of `bundle.space`.
 void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bundle);
+// The document that [study] prereg names becomes a part of the study; warns when it was written
+// for another one. `config_text` is the text behind `root`.
+void read_prereg_file(const TomlTable& root, std::string_view config_text, StudyFiles& files);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context, const TargetRules& rules);

@@ -4,6 +4,7 @@
 
 #include "analysis/export/export_codebook.h"
 #include "analysis/export/export_public.h"
+#include "analysis/export/export_r.h"
 #include "analysis/export/export_readme.h"
 #include "analysis/export/export_tables.h"
 #include "analysis/export/export_wide.h"
@@ -155,6 +156,9 @@ void write_all(const ExportOptions& options, const ExportSource& source, const P
     columns.push_back(std::move(column));
   }
   write_motions(options, source.database, folder, notes);
+  if (!write_r_script(source, folder, options.progress)) {
+    notes.emplace_back("no finished trial counts, so there is no analysis.R");
+  }
   write_words(source, columns, data, folder);
 }
 

@@ -21,6 +21,8 @@ constexpr const char* files_text =
 | other files in `data/` | the other tables of the database |
 | `codebook.csv`, `codebook.html` | what each column and each question means |
 | `dataset_description.json` | the same for programs, as Psych-DS says |
+| `analysis.R` | for `Rscript analysis.R`: repeats each test of the report, and fits mixed models to its trials |
+| `tables/` | what it reads: the trials that count, the measures, and the tests as Promenade computed them |
 | `materials/` | the motions that were shown, where they may be given away |
 
 CSV is UTF-8 with commas, "." before decimals, LF at the end of lines and quotes where they are

@@ -18,11 +18,16 @@ struct ReportOptions {
   Progress progress = {};
   // Of the interfaces that the study used, to find what each can reach; null: no regret.
   const study::InterfaceRegistry* registry = nullptr;
+  std::string prereg_file = {};  // the registered document; empty: none
 };
 
+// What whoever makes a report again has to know: which numbers differ from those of the report
+// that stood in the folder. Nothing where there was none, or the same.
+using ReportNotes = std::vector<std::string>;
+
 // Everything is computed and drawn before anything appears at `folder`. Throws
-// InputError (wrong databases or exclusions, no finished trial, `folder` is a file)
-// and OutsideError (disk, gnuplot, stopped by `progress`).
-void write_report(const ReportOptions& options);
+// InputError (wrong databases, exclusions or preregistration, no finished trial, `folder` is a
+// file) and OutsideError (disk, gnuplot, stopped by `progress`).
+ReportNotes write_report(const ReportOptions& options);
 
 }  // namespace promenade::analysis

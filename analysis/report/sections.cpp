@@ -1,12 +1,15 @@
+#include "analysis/report/prereg_section.h"
 #include "analysis/report/section.h"
 
 namespace promenade::analysis {
 
 std::vector<Section> sections_of(const Results& results) {
-  return {
+  std::vector<Section> sections = {
       reach_section(results),      questionnaires_section(results), quality_section(results),
       deviations_section(results), sensitivity_section(results),    order_section(results),
   };
+  if (results.prereg) sections.push_back(prereg_section(results));
+  return sections;
 }
 
 std::string anchor_of(const std::string& title) {

@@ -140,17 +140,51 @@ Table value_table(const Results& results) {
   return table;
 }
 
+std::string kind_word(MeasureKind kind) {
+  switch (kind) {
+    case MeasureKind::result:
+      return "result";
+    case MeasureKind::rating:
+      return "rating";
+    case MeasureKind::process:
+      return "process";
+  }
+  return "";
+}
+
+Table measure_table(const Results& results) {
+  Table table{"measures",
+              "What is measured: a column of trials each.",
+              {"measure", "label", "unit", "kind"},
+              {}};
+  for (const Measure& measure : results.data.measures) {
+    table.rows.push_back({cell(measure.name), cell(measure.label), cell(measure.unit),
+                          cell(kind_word(measure.kind))});
+  }
+  return table;
+}
+
 Table trial_table(const Results& results) {
   const Dataset& data = results.data;
   Table table{"trials",
               "Every trial that counts.",
-              {"participant", "position", "interface", "task", "target", "outcome", "failed"},
+              {"participant", "session", "trial", "station", "study_version", "block", "position",
+               "interface", "previous_interface", "task", "target", "outcome", "failed"},
               {}};
   for (const Measure& measure : data.measures) table.columns.push_back(measure.name);
   for (const Trial& trial : data.trials) {
+    const LoggedTrial& logged = item(results.log.trials, trial.logged);
+    const LoggedSession& session = item(results.log.sessions, logged.session);
+    const bool first = trial.previous_interface < 0;
     std::vector<Cell> row = {cell(item(data.people, trial.person)),
+                             cell(session.uuid),
+                             cell(logged.uuid),
+                             cell(session.station),
+                             cell(item(results.log.versions, session.version).version),
+                             cell(trial.block),
                              cell(trial.position),
                              cell(item(data.interfaces, trial.interface)),
+                             first ? Cell() : item(data.interfaces, trial.previous_interface),
                              cell(item(data.tasks, trial.task).name),
                              target_name(data, trial.task, trial.target),
                              cell(trial.outcome),
@@ -172,7 +206,8 @@ struct CsvField {
 
 std::vector<Table> make_tables(const Results& results) {
   return {comparison_table(results),  failure_table(results), summary_table(results),
-          participant_table(results), value_table(results),   trial_table(results)};
+          participant_table(results), value_table(results),   trial_table(results),
+          measure_table(results)};
 }
 
 std::string to_csv(const Table& table) {

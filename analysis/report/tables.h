@@ -20,7 +20,7 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-// comparisons, failures, summaries, participants, values, trials.
+// comparisons, failures, summaries, participants, values, trials, measures.
 std::vector<Table> make_tables(const Results& results);
 
 // RFC 4180 with LF line ends: quotes where needed, empty where there is no value,

@@ -14,13 +14,9 @@ namespace {
 struct Arguments {
   analysis::ReportOptions options;
   std::string folder;
-  std::string prereg;
 };
 
 void run_report(Arguments& arguments) {
-  if (!arguments.prereg.empty()) {
-    throw OutsideError("report --prereg is not in this version of Promenade yet; leave it out");
-  }
   arguments.options.folder = arguments.folder;
   arguments.options.registry = &interfaces();
   arguments.options.progress = [](const std::string& what, int done, int count) {
@@ -28,7 +24,9 @@ void run_report(Arguments& arguments) {
     return !interrupted();
   };
   interrupted();
-  analysis::write_report(arguments.options);
+  for (const std::string& note : analysis::write_report(arguments.options)) {
+    std::fprintf(stderr, "%s\n", note.c_str());
+  }
   std::fprintf(stderr, "%s/report.html\n", arguments.folder.c_str());
 }
 
@@ -46,7 +44,8 @@ void add_report_command(CLI::App& program) {
       ->description("count pilot sessions, too");
   command->add_option("--exclude", selection.exclude_file,
                       "CSV of people to leave out: CODE,REASON");
-  command->add_option("--prereg", arguments->prereg, "(not in this version yet)");
+  command->add_option("--prereg", arguments->options.prereg_file,
+                      "the registered document, for a list of what was done otherwise");
   command->callback([arguments] { run_report(*arguments); });
 }
 

@@ -94,6 +94,31 @@ TEST(Report, IsTheSameByteForByteWhenMadeAgain) {
   EXPECT_EQ(contents(folder.file("one")), contents(folder.file("two")));
 }
 
+TEST(Report, MadeAgainSaysNothing) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  const ReportOptions options{{folder.file("a.db")}, folder.file("out"), {}, {}};
+  EXPECT_TRUE(write_report(options).empty());
+  EXPECT_TRUE(write_report(options).empty());
+}
+
+TEST(Report, ListsWhatIsDifferentFromTheOneBefore) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  const ReportOptions options{{folder.file("a.db")}, folder.file("out"), {}, {}};
+  write_report(options);
+  const std::string file = folder.file("out/report.json");
+  auto before = nlohmann::ordered_json::parse(read_file(file));
+  before["program_version"] = "0.0.9";
+  before["wilcoxon"][0]["hl"] = 1;
+  write_file(file, before.dump());
+  const ReportNotes notes = write_report(options);
+  ASSERT_EQ(notes.size(), 3U);
+  EXPECT_EQ(notes[0], file + " was there before; 2 values differ:");
+  EXPECT_NE(notes[1].find("\"0.0.9\" -> "), std::string::npos) << notes[1];
+  EXPECT_NE(notes[2].find(".hl: 1 -> "), std::string::npos) << notes[2];
+}
+
 TEST(Report, ReplacesAnOlderOneAndLeavesOtherFilesAlone) {
   const TestFolder folder;
   make(folder, "a.db", 6, 0.001);
