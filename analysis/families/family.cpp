@@ -1,5 +1,6 @@
 #include "analysis/families/family.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -32,6 +33,27 @@ std::vector<double> as_numbers(const Json& value, const char* key) {
   return result;
 }
 
+std::vector<std::optional<double>> as_numbers_or_null(const Json& value, const char* key) {
+  std::vector<std::optional<double>> result;
+  for (const Json& item : list(value, key)) {
+    if (item.is_null()) {
+      result.emplace_back();
+    } else {
+      result.emplace_back(as_number(item, key));
+    }
+  }
+  return result;
+}
+
+template <typename Row>
+void require_equal_lengths(const std::vector<Row>& rows, const char* key) {
+  for (const Row& row : rows) {
+    if (row.size() != rows[0].size()) {
+      throw CaseError(std::string("the rows of input.") + key + " differ in length");
+    }
+  }
+}
+
 }  // namespace
 
 double number(const Json& input, const char* key) { return as_number(member(input, key), key); }
@@ -56,28 +78,63 @@ std::vector<double> numbers(const Json& input, const char* key) {
   return as_numbers(member(input, key), key);
 }
 
+std::string text(const Json& input, const char* key) {
+  const Json& value = member(input, key);
+  if (!value.is_string()) throw CaseError(std::string("input.") + key + " is no text");
+  return value.get<std::string>();
+}
+
 std::vector<std::optional<double>> numbers_or_null(const Json& input, const char* key) {
-  std::vector<std::optional<double>> result;
-  for (const Json& item : list(member(input, key), key)) {
-    if (item.is_null()) {
-      result.emplace_back();
-    } else {
-      result.emplace_back(as_number(item, key));
-    }
-  }
-  return result;
+  return as_numbers_or_null(member(input, key), key);
 }
 
 std::vector<std::vector<double>> matrix(const Json& input, const char* key) {
   std::vector<std::vector<double>> rows;
   for (const Json& row : list(member(input, key), key)) rows.push_back(as_numbers(row, key));
   if (rows.empty() || rows[0].empty()) throw CaseError(std::string("input.") + key + " is empty");
-  for (const auto& row : rows) {
-    if (row.size() != rows[0].size()) {
-      throw CaseError(std::string("the rows of input.") + key + " differ in length");
+  require_equal_lengths(rows, key);
+  return rows;
+}
+
+std::vector<std::vector<std::optional<double>>> matrix_or_null(const Json& input, const char* key) {
+  std::vector<std::vector<std::optional<double>>> rows;
+  for (const Json& row : list(member(input, key), key)) {
+    rows.push_back(as_numbers_or_null(row, key));
+  }
+  require_equal_lengths(rows, key);
+  return rows;
+}
+
+Labels labels(const Json& input, const char* key) {
+  const Json& names = list(member(input, key), key);
+  for (const Json& name : names) {
+    if (!name.is_number() && !name.is_string()) {
+      throw CaseError(std::string("input.") + key + " is not all numbers or texts");
     }
   }
-  return rows;
+  std::vector<Json> sorted(names.begin(), names.end());
+  std::sort(sorted.begin(), sorted.end());
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  Labels result;
+  result.count = static_cast<int>(sorted.size());
+  for (const Json& name : names) {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), name);
+    result.places.push_back(static_cast<int>(found - sorted.begin()));
+  }
+  return result;
+}
+
+std::vector<Duration> durations_of(const Json& input) {
+  const std::vector<double> times = numbers(input, "time");
+  const std::vector<double> events = numbers(input, "event");
+  if (times.size() != events.size()) throw CaseError("input.time and input.event differ in length");
+  std::vector<Duration> durations;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] < 0) throw CaseError("input.time holds a negative time");
+    if (events[i] != 0 && events[i] != 1) throw CaseError("input.event is not all 0 or 1");
+    durations.push_back({times[i], events[i] == 1});
+  }
+  return durations;
 }
 
 Eigen::MatrixXd table(const Json& input, const char* key) {

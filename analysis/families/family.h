@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/statistics/interval.h"
+#include "analysis/statistics/kaplan_meier.h"
 
 namespace promenade::analysis::families {
 
@@ -26,13 +27,26 @@ class CaseError : public std::runtime_error {
 double number(const Json& input, const char* key);
 int whole_number(const Json& input, const char* key);  // 0 or more
 double level(const Json& input, const char* key);      // between 0 and 1, both excluded
+std::string text(const Json& input, const char* key);
 std::vector<double> numbers(const Json& input, const char* key);
 std::vector<std::optional<double>> numbers_or_null(const Json& input, const char* key);
 // Rows of equal length, at least one row and column.
 std::vector<std::vector<double>> matrix(const Json& input, const char* key);
+// Rows of equal length, or none.
+std::vector<std::vector<std::optional<double>>> matrix_or_null(const Json& input, const char* key);
 // The same for Eigen; the second: square, symmetric and not negative.
 Eigen::MatrixXd table(const Json& input, const char* key);
 Eigen::MatrixXd distance_table(const Json& input, const char* key);
+
+// Numbers or texts that name groups, as their places in the order of the names.
+struct Labels {
+  int count = 0;
+  std::vector<int> places;
+};
+Labels labels(const Json& input, const char* key);
+
+// input.time, not negative, and input.event: 1 done, 0 stopped.
+std::vector<Duration> durations_of(const Json& input);
 
 Json to_json(const std::optional<double>& value);
 Json to_json(const Interval& interval);
@@ -48,6 +62,15 @@ Json sign_test(const Json& input);
 Json cochran_q(const Json& input);
 Json friedman(const Json& input);
 Json kaplan_meier(const Json& input);
+Json logrank(const Json& input);
+Json cronbach_alpha(const Json& input);
+Json icc(const Json& input);
+Json krippendorff_alpha(const Json& input);
+Json bootstrap_median_ideal(const Json& input);
+Json bootstrap_ci_given_replicates(const Json& input);
+Json power_signflip_exact(const Json& input);
+Json power_simulated(const Json& input);
+Json power_paired_t(const Json& input);
 Json ward(const Json& input);
 Json pca(const Json& input);
 Json classical_mds(const Json& input);

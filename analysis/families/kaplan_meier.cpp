@@ -9,19 +9,6 @@ Json ends(const std::optional<Interval>& interval) {
   return interval ? to_json(*interval) : Json::array({nullptr, nullptr});
 }
 
-std::vector<Duration> durations_in(const Json& input) {
-  const std::vector<double> times = numbers(input, "time");
-  const std::vector<double> events = numbers(input, "event");
-  if (times.size() != events.size()) throw CaseError("input.time and input.event differ in length");
-  std::vector<Duration> durations;
-  for (std::size_t i = 0; i < times.size(); ++i) {
-    if (times[i] < 0) throw CaseError("input.time holds a negative time");
-    if (events[i] != 0 && events[i] != 1) throw CaseError("input.event is not all 0 or 1");
-    durations.push_back({times[i], events[i] == 1});
-  }
-  return durations;
-}
-
 void put_step(Json& result, const SurvivalStep& step) {
   result["time"].push_back(step.time);
   result["n_risk"].push_back(step.at_risk);
@@ -38,12 +25,13 @@ void put_step(Json& result, const SurvivalStep& step) {
 Json kaplan_meier(const Json& input) {
   const double tau = number(input, "tau");
   if (tau < 0) throw CaseError("input.tau is negative");
-  const Survival survival = analysis::kaplan_meier(durations_in(input));
+  const Survival survival = analysis::kaplan_meier(durations_of(input));
   const RestrictedMean mean = restricted_mean(survival, tau);
   Json result = {{"median", to_json(survival.median)},
                  {"median_R_midpoint", to_json(survival.median_midpoint)},
                  {"rmst_tau", mean.mean},
-                 {"rmst_se", mean.se}};
+                 {"rmst_se", mean.se},
+                 {"rmst_ci95", to_json(mean.interval)}};
   for (const char* key : {"time", "n_risk", "n_event", "n_censor", "surv", "greenwood_se",
                           "ci95_log", "ci95_loglog"}) {
     result[key] = Json::array();

@@ -10,6 +10,8 @@ namespace {
 // S is a ratio of whole numbers; a product of rounded factors may miss 1/2 by this much.
 constexpr double half = 0.5 + 1e-9;
 
+double z_of_95() { return boost::math::quantile(boost::math::normal(), 0.975); }
+
 // Of the variance of log S: d / (n (n - d)).
 double greenwood_term(const SurvivalStep& step) {
   return static_cast<double>(step.done) / step.at_risk / (step.at_risk - step.done);
@@ -17,8 +19,7 @@ double greenwood_term(const SurvivalStep& step) {
 
 void add_intervals(SurvivalStep& step, double greenwood) {
   if (step.survival == 0) return;
-  const double z = boost::math::quantile(boost::math::normal(), 0.975);
-  const double width = z * std::sqrt(greenwood);
+  const double width = z_of_95() * std::sqrt(greenwood);
   step.se = step.survival * std::sqrt(greenwood);
   step.log =
       Interval{step.survival * std::exp(-width), std::min(step.survival * std::exp(width), 1.0)};
@@ -37,7 +38,7 @@ void add_medians(Survival& survival) {
   if (first->survival < 1 - half) return;
   const auto next =
       std::find_if(first + 1, steps.end(), [](const SurvivalStep& step) { return step.done > 0; });
-  if (next != steps.end()) survival.median_midpoint = (first->time + next->time) / 2;
+  if (next != steps.end()) survival.median_midpoint = first->time / 2 + next->time / 2;
 }
 
 }  // namespace
@@ -77,7 +78,10 @@ RestrictedMean restricted_mean(const Survival& survival, double tau) {
     right = step.time;
     if (step.done < step.at_risk) variance += area * area * greenwood_term(step);
   }
-  return {area + right, std::sqrt(variance)};
+  const double mean = area + right;
+  const double se = std::sqrt(variance);
+  const double width = z_of_95() * se;
+  return {mean, se, {std::max(mean - width, 0.0), std::min(mean + width, tau)}};
 }
 
 }  // namespace promenade::analysis

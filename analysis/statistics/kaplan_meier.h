@@ -33,10 +33,12 @@ struct Survival {
 Survival kaplan_meier(std::vector<Duration> durations);
 
 struct RestrictedMean {
-  double mean = 0;  // the area under S up to tau
-  double se = 0;
+  double mean = 0;    // the area under S up to tau
+  double se = 0;      // sqrt(sum A^2 d / (n (n - d))), A the area to the right of each time
+  Interval interval;  // 95 %, normal; cut to 0..tau, between which the mean lies
 };
 
+// tau: 0 or more. The last S goes on to tau.
 RestrictedMean restricted_mean(const Survival& survival, double tau);
 
 }  // namespace promenade::analysis

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "analysis/statistics/sign_flips.h"
 
@@ -45,9 +44,8 @@ Tails exact_tails(const std::vector<SignedRank>& ranks, std::int64_t plus, std::
   std::vector<std::int64_t> doubled;
   for (const SignedRank& r : ranks) doubled.push_back(r.doubled_rank);
   const std::int64_t low = std::min(plus, total - plus);
-  const std::vector<double> probability = sign_flip_distribution(std::move(doubled), low);
-  const double below = std::accumulate(probability.begin(), probability.end() - 1, 0.0);
-  const double small = below + probability.back();
+  const auto [below, at] = sign_flip_tail(std::move(doubled), low);
+  const double small = below + at;
   const double large = 1 - below;
   return plus == low ? two_sided(large, small) : two_sided(small, large);
 }

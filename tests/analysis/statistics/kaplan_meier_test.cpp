@@ -53,5 +53,30 @@ TEST(KaplanMeier, IsCertainWhereNobodyIsDone) {
   EXPECT_TRUE(kaplan_meier({}).steps.empty());
 }
 
+// Two of four are done at 10: S = 1/2 from there, the area to the right 15 of a horizon of 40,
+// so se = sqrt(15^2 2/(4 2)) = 7.5.
+TEST(RestrictedMean, HasANormalIntervalWithinTheHorizon) {
+  const Survival survival = kaplan_meier({{10, true}, {10, true}, {40, false}, {40, false}});
+  const RestrictedMean mean = restricted_mean(survival, 40);
+  EXPECT_EQ(mean.mean, 25);
+  EXPECT_NEAR(mean.se, 7.5, 1e-14);
+  EXPECT_NEAR(mean.interval.lower, 25 - 1.959963984540054 * 7.5, 1e-12);
+  EXPECT_NEAR(mean.interval.upper, 25 + 1.959963984540054 * 7.5, 1e-12);
+  const RestrictedMean wide = restricted_mean(kaplan_meier({{1, true}, {9, false}}), 10);
+  EXPECT_EQ(wide.interval.lower, 0);
+  EXPECT_EQ(wide.interval.upper, 10);
+}
+
+TEST(RestrictedMean, OfNobodyAndOfNoTimeIsTheHorizon) {
+  EXPECT_EQ(restricted_mean(kaplan_meier({}), 7).mean, 7);
+  EXPECT_EQ(restricted_mean(kaplan_meier({{5, true}}), 0).mean, 0);
+  EXPECT_EQ(restricted_mean(kaplan_meier({{0, true}}), 7).mean, 0);
+}
+
+TEST(KaplanMeier, HasAMedianBetweenHugeTimes) {
+  const Survival survival = kaplan_meier({{1.5e308, true}, {1.7e308, true}});
+  EXPECT_EQ(survival.median_midpoint, 0.75e308 + 0.85e308);
+}
+
 }  // namespace
 }  // namespace promenade::analysis

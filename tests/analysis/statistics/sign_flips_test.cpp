@@ -54,5 +54,40 @@ TEST(SignFlips, KeepTheSmallestProbabilityOfAThousandRanks) {
   EXPECT_EQ(probability[1], std::ldexp(1000.0, -1000));
 }
 
+TEST(SignFlipTail, IsTheSumOfTheDistribution) {
+  const std::vector<std::int64_t> samples[] = {
+      {}, {1}, {4, 4}, {1, 40}, {7, 2, 2, 11, 5, 5, 5, 14, 18, 3}, {1, 1, 1, 1, 1, 1, 1, 30, 31}};
+  for (const auto& ranks : samples) {
+    const std::int64_t all = std::accumulate(ranks.begin(), ranks.end(), std::int64_t{0});
+    double below = 0;
+    for (std::int64_t last = 0; last <= all + 3; ++last) {
+      const auto [tail, at] = sign_flip_tail(ranks, last);
+      EXPECT_EQ(tail, below) << last;
+      EXPECT_EQ(at, by_brute_force(ranks, last).back()) << last;
+      below += at;
+    }
+  }
+}
+
+TEST(SignFlipTail, KeepsItsDigitsForHundredsOfRanks) {
+  std::vector<std::int64_t> ranks;
+  for (std::int64_t i = 0; i < 300; ++i) ranks.push_back(2 + 2 * (i / 7) * 7 + i % 3);
+  for (const std::int64_t last : {0, 5, 900, 12000, 40000}) {
+    const std::vector<double> p = sign_flip_distribution(ranks, last);
+    const auto [below, at] = sign_flip_tail(ranks, last);
+    EXPECT_NEAR(at, p.back(), 1e-12 * p.back());
+    const double sum = std::accumulate(p.begin(), p.end() - 1, 0.0);
+    EXPECT_NEAR(below, sum, 1e-12 * sum);
+  }
+}
+
+TEST(SignFlipTail, OfTwoThousandRanksStaysInRange) {
+  const std::vector<std::int64_t> ranks(2000, 1);  // binomial
+  const auto [below, at] = sign_flip_tail(ranks, 1000);
+  EXPECT_NEAR(2 * below + at, 1, 1e-12);
+  EXPECT_NEAR(at, std::exp(std::lgamma(2001) - 2 * std::lgamma(1001) - 2000 * std::log(2)), 1e-12);
+  EXPECT_EQ(sign_flip_tail(std::vector<std::int64_t>(1000, 1), 1).at, std::ldexp(1000.0, -1000));
+}
+
 }  // namespace
 }  // namespace promenade::analysis
