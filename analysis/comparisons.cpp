@@ -4,14 +4,12 @@
 #include "analysis/parallel.h"
 #include "analysis/statistics/differences.h"
 #include "analysis/statistics/p_adjust.h"
+#include "analysis/statistics/rank_biserial.h"
 
 namespace promenade::analysis {
 namespace {
 
-// Pooled trials are shown for comparison only; beyond this many the exact p is not worth the time.
-constexpr std::size_t pooled_limit = 1000;
-
-using Values = std::vector<std::optional<double>>;
+using Values = PersonValues;
 
 // Values of one interface at one place, in an order that pairs them.
 Values values_at(const Dataset& data, const Comparison& place, int interface) {
@@ -42,6 +40,7 @@ void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   comparison.test = wilcoxon(comparison.d, Zeros::drop, pooled ? pooled_limit : sign_flips_limit);
   if (comparison.d.empty()) return;
   comparison.p = comparison.test.exact ? comparison.test.exact->two : comparison.test.normal->two;
+  comparison.rank_biserial_ci = rank_biserial_interval(comparison.test, 0.95);
   const WalshAverages walsh(comparison.d);
   comparison.hl = hodges_lehmann(walsh);
   comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
@@ -55,27 +54,15 @@ void adjust(std::vector<Comparison>& family) {
   const std::vector<double> adjusted = adjust_holm(p);
   std::size_t next = 0;
   for (Comparison& comparison : family) {
+    comparison.family = size_of(p);
     if (comparison.p) comparison.p_holm = adjusted[next++];
   }
 }
 
-// All pairs of interfaces at the place that `place` names.
 std::vector<Comparison> compare_at(const Dataset& data, const Comparison& place) {
-  const int interfaces = size_of(data.interfaces);
   std::vector<Values> values;
-  for (int i = 0; i < interfaces; ++i) values.push_back(values_at(data, place, i));
-  std::vector<Comparison> family;
-  for (int a = 0; a < interfaces; ++a) {
-    for (int b = a + 1; b < interfaces; ++b) {
-      Comparison comparison = place;
-      comparison.a = a;
-      comparison.b = b;
-      run_tests(comparison, item(values, a), item(values, b));
-      family.push_back(std::move(comparison));
-    }
-  }
-  adjust(family);
-  return family;
+  for (int i = 0; i < size_of(data.interfaces); ++i) values.push_back(values_at(data, place, i));
+  return compare_pairs(place, values);
 }
 
 std::vector<Comparison> places_of(const Dataset& data, int measure, int task) {
@@ -97,6 +84,22 @@ std::vector<Comparison> places_of(const Dataset& data, int measure, int task) {
 }
 
 }  // namespace
+
+std::vector<Comparison> compare_pairs(const Comparison& place,
+                                      const std::vector<PersonValues>& values) {
+  std::vector<Comparison> family;
+  for (int a = 0; a < size_of(values); ++a) {
+    for (int b = a + 1; b < size_of(values); ++b) {
+      Comparison comparison = place;
+      comparison.a = a;
+      comparison.b = b;
+      run_tests(comparison, item(values, a), item(values, b));
+      family.push_back(std::move(comparison));
+    }
+  }
+  adjust(family);
+  return family;
+}
 
 std::vector<Comparison> compare_all(const Dataset& data, const Progress& progress) {
   std::vector<Comparison> places;

@@ -64,6 +64,12 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);
   results.summaries = summaries(results.data);
+  results.target_summaries = target_summaries(results.data);
+  results.omnibus = omnibus_tests(results.data);
+  results.failure_tests = failure_tests(results.data);
+  results.times = task_times(results.data);
+  results.preference =
+      preference_of(results.data.interfaces, preferred(databases, results.log, results.selection));
   return results;
 }
 

@@ -7,7 +7,11 @@
 #include <vector>
 
 #include "analysis/comparisons.h"
+#include "analysis/failure_tests.h"
+#include "analysis/omnibus.h"
+#include "analysis/preference.h"
 #include "analysis/summaries.h"
+#include "analysis/times.h"
 
 namespace promenade::analysis {
 
@@ -19,6 +23,11 @@ struct Results {
   std::vector<Comparison> comparisons;
   std::vector<FailureRatio> failures;
   std::vector<Summary> summaries;
+  std::vector<TargetSummary> target_summaries;
+  std::vector<OmnibusTest> omnibus;
+  FailureTests failure_tests;
+  std::vector<TaskTimes> times;
+  Preference preference;
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;

@@ -22,6 +22,16 @@ TEST(Outline, NamesTargetsAndQualitiesOfAllTasksOnce) {
   EXPECT_EQ(outline.targets, (std::vector<std::string>{"sad", "mix", "tired"}));
 }
 
+TEST(Outline, KnowsGuessesAndTheOrderOfTheInterfaces) {
+  const Outline outline = outline_of(
+      "[study]\norder = \"latin\"\n[[task]]\nname = \"blind\"\nkind = \"guess\"\n"
+      "[[task]]\nname = \"match\"\nkind = \"match\"\n");
+  EXPECT_EQ(outline.guesses, std::vector<std::string>{"blind"});
+  EXPECT_EQ(outline.order, "latin");
+  EXPECT_EQ(outline_of("[study]\n").order, "williams") << "what a study has that says nothing";
+  EXPECT_EQ(outline_of("").order, "");
+}
+
 TEST(Outline, OfWhatIsNoStudyIsEmpty) {
   for (const char* text : {"", "interface = 3", "[[interface]]\nname = 3", "{{{", "\xff\xfe"}) {
     EXPECT_TRUE(outline_of(text).interfaces.empty()) << text;
