@@ -26,8 +26,7 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
   Html body = stripe(results);
   body += element("main", headline(results) + flow_bar(results.selection) + panels(results) +
                               buttons(results, figures) + figure_section(figures) +
-                              table_sections(results) + shown(sections) + method_section(results) +
-                              provenance_section(results, sections));
+                              shown(sections) + provenance_section(results, sections));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +
          "\n";

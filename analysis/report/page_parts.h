@@ -13,12 +13,10 @@ Html flow_bar(const Selection& selection);
 Html panels(const Results& results);  // dots per interface, triangle of pairs
 Html buttons(const Results& results, const std::vector<DrawnFigure>& figures);
 
-// page_tables.cpp: every number that a paper would print.
+// page_figures.cpp
 Html figure_section(const std::vector<DrawnFigure>& figures);
-Html table_sections(const Results& results);
 
-// page_notes.cpp: how it was computed, and from what.
-Html method_section(const Results& results);
+// page_notes.cpp: what it was computed from.
 Html provenance_section(const Results& results, const std::vector<Section>& sections);
 
 std::string_view page_css();  // page_css.cpp
