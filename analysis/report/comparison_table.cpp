@@ -94,10 +94,10 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
 Html family_note(const Results& results, Pooling pooling) {
   const auto k = size_of(results.data.interfaces);
   const int pairs = k * (k - 1) / 2;
-  Html html = note(fmt::format(
-      "Holm’s family: all pairs of interfaces for one measure at one place, that is up to {}. "
-      "Measures, tasks and targets are not adjusted for each other.",
-      count_of(pairs, "test", "tests")));
+  const std::string tests =
+      pairs == 1 ? "that is one test" : fmt::format("that is up to {} tests", pairs);
+  Html html = note("Holm’s family: all pairs of interfaces for one measure at one place; here " +
+                   tests + ". Measures, tasks and targets are not adjusted for each other.");
   const bool approximate = std::any_of(
       results.comparisons.begin(), results.comparisons.end(),
       [pooling](const Comparison& one) { return one.pooling == pooling && is_approximate(one); });

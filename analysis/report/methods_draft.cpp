@@ -6,6 +6,7 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/references.h"
 
 namespace promenade::analysis {
 namespace {
@@ -119,7 +120,7 @@ std::string other_tests(const Results& results) {
   if (!results.omnibus.empty()) {
     text += " All interfaces at once were compared by Friedman’s test with Kendall’s W.";
   }
-  if (!results.failure_tests.shares.empty()) {
+  if (tests_failures(results)) {
     text +=
         " Failures were compared by signed-rank tests of each participant’s share of failed "
         "trials, and target by target by McNemar’s exact test and Cochran’s Q; shares have Wilson "

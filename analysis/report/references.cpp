@@ -90,12 +90,13 @@ References of_times() {
   };
 }
 
-bool any_failed(const Results& results) {
-  return std::any_of(results.failures.begin(), results.failures.end(),
+}  // namespace
+
+bool tests_failures(const Results& results) {
+  return results.data.interfaces.size() > 1 &&
+         std::any_of(results.failures.begin(), results.failures.end(),
                      [](const FailureRatio& one) { return one.failed > 0; });
 }
-
-}  // namespace
 
 std::vector<Reference> references_of(const Results& results) {
   const bool pairs = results.data.interfaces.size() > 1;
@@ -106,7 +107,7 @@ std::vector<Reference> references_of(const Results& results) {
                   "of Mathematical Statistics 7, 122-128."});
   if (pairs) add(list, of_pairs());
   if (!results.omnibus.empty()) add(list, of_omnibus());
-  if (pairs && any_failed(results)) add(list, of_failures());
+  if (tests_failures(results)) add(list, of_failures());
   if (!results.times.empty()) add(list, of_times());
   // By surname, which follows the first initials.
   const auto surname = [](const Reference& one) {

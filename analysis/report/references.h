@@ -13,6 +13,9 @@ struct Reference {
   std::string text;  // authors, year, title, where
 };
 
+// Are failures tested: is there a pair of interfaces, and has anybody failed?
+bool tests_failures(const Results& results);
+
 // Of those tests that this report holds, by author.
 std::vector<Reference> references_of(const Results& results);
 

@@ -20,9 +20,9 @@ HtmlTable mean_table(const Results& results, int task) {
   const Dataset& data = results.data;
   const int measure = data.measure("time_s");
   HtmlTable table;
-  table.caption = of_task(data, task) +
-                  "First: the mean time of each participant, restricted to the limit, by the exact "
-                  "signed-rank test. Bold: adjusted p < .05.";
+  table.caption = of_task(data, task) + "First: the mean time of each participant" +
+                  (item(data.tasks, task).limit_s ? ", restricted to the limit," : "") +
+                  " by the exact signed-rank test. Bold: adjusted p < .05.";
   table.columns = {"a − b"};
   table.columns.insert(table.columns.end(), test_columns().begin(), test_columns().end());
   for (const Comparison* one : results.pairs(measure, task)) {

@@ -171,6 +171,7 @@ TEST(MethodsSection, NamesWhatWasUsedAndNothingElse) {
     EXPECT_NE(draft.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(draft.find("Preferences"), std::string::npos) << "nobody was asked";
+  EXPECT_EQ(draft.find("McNemar"), std::string::npos) << "nobody failed";
   const std::string works = json["references"].dump();
   EXPECT_NE(works.find("F. Wilcoxon (1945)"), std::string::npos);
   EXPECT_EQ(works.find("McNemar (1947)"), std::string::npos) << "nobody failed";
