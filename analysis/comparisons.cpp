@@ -4,12 +4,10 @@
 #include "analysis/parallel.h"
 #include "analysis/statistics/differences.h"
 #include "analysis/statistics/p_adjust.h"
+#include "analysis/statistics/rank_biserial.h"
 
 namespace promenade::analysis {
 namespace {
-
-// Pooled trials are shown for comparison only; beyond this many the exact p is not worth the time.
-constexpr std::size_t pooled_limit = 1000;
 
 using Values = PersonValues;
 
@@ -42,6 +40,7 @@ void run_tests(Comparison& comparison, const Values& a, const Values& b) {
   comparison.test = wilcoxon(comparison.d, Zeros::drop, pooled ? pooled_limit : sign_flips_limit);
   if (comparison.d.empty()) return;
   comparison.p = reported_p(comparison.test);
+  comparison.rank_biserial_ci = rank_biserial_interval(comparison.test, 0.95);
   const WalshAverages walsh(comparison.d);
   comparison.hl = hodges_lehmann(walsh);
   comparison.hl_ci = hodges_lehmann_interval(walsh, comparison.test.n, 0.95);
@@ -55,6 +54,7 @@ void adjust(std::vector<Comparison>& family) {
   const std::vector<double> adjusted = adjust_holm(p);
   std::size_t next = 0;
   for (Comparison& comparison : family) {
+    comparison.family = size_of(p);
     if (comparison.p) comparison.p_holm = adjusted[next++];
   }
 }

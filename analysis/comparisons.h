@@ -10,6 +10,7 @@
 #include "analysis/dataset.h"
 #include "analysis/progress.h"
 #include "analysis/statistics/hodges_lehmann.h"
+#include "analysis/statistics/interval.h"
 #include "analysis/statistics/wilcoxon.h"
 
 namespace promenade::analysis {
@@ -29,9 +30,18 @@ struct Comparison {
   SignedRankTest test;           // zeros dropped, exact
   std::optional<double> p;       // exact; normal where exact is not feasible; nothing for n = 0
   std::optional<double> p_holm;  // over all pairs of interfaces at this place
+  int family = 0;                // how many tests that are
   std::optional<double> hl;      // of all differences, zeros kept
-  std::optional<LocationInterval> hl_ci;  // 95 %
+  std::optional<LocationInterval> hl_ci;     // 95 %
+  std::optional<Interval> rank_biserial_ci;  // 95 %
 };
+
+// Pooled trials are shown for comparison only; beyond so many differences the exact p is not
+// worth the time.
+inline constexpr std::size_t pooled_limit = 1000;
+
+// Had there been an exact p to take, but for the number of differences?
+inline bool is_approximate(const Comparison& one) { return one.p && !one.test.exact; }
 
 using PersonValues = std::vector<std::optional<double>>;  // one for each person
 

@@ -171,14 +171,19 @@ class Builder {
       tasks.insert(logged(index).task);
       targets[logged(index).task].insert(logged(index).target);
     }
+    data_.order = outline_.order;
     data_.interfaces = in_order(interfaces, outline_.interfaces);
     task_names_ = in_order(tasks, outline_.tasks);
     for (const std::string& name : task_names_) {
-      data_.tasks.push_back(
-          {name, in_order(targets[name], outline_.targets), common(name, &LoggedTrial::limit_s),
-           common(name, &LoggedTrial::threshold_m),
-           std::count(outline_.guesses.begin(), outline_.guesses.end(), name) > 0});
+      data_.tasks.push_back({name, in_order(targets[name], outline_.targets),
+                             common(name, &LoggedTrial::limit_s),
+                             common(name, &LoggedTrial::threshold_m), is_guess(name)});
     }
+  }
+
+  bool is_guess(const std::string& task) const {
+    const auto& guesses = outline_.guesses;
+    return std::find(guesses.begin(), guesses.end(), task) != guesses.end();
   }
 
   // The value that all trials of a task share.

@@ -61,7 +61,7 @@ struct Task {
   std::string name;
   std::vector<std::string> targets;
   std::optional<double> limit_s, threshold_m;  // if all its trials had the same
-  bool guess = false;  // people set the controls without seeing what comes out
+  bool guess = false;  // what is made cannot be seen; Done below the threshold is a success
 };
 
 struct Dataset {
@@ -72,6 +72,7 @@ struct Dataset {
   std::vector<Measure> measures;
   std::vector<Trial> trials;
   bool all_simulated = false;  // there are people, and none of them is real
+  std::string order;           // of the interfaces, as the study says; empty: not known
   int left_out_trials = 0;     // of these people: skipped, aborted or cut off
 
   int measure(std::string_view name) const;  // index; -1: none

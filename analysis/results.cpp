@@ -77,6 +77,12 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.questionnaires =
       read_questionnaires(databases, results.log, results.selection, results.data);
   results.sensitivity = sensitivity_of(results.log, options, results.selection, results.data);
+  results.target_summaries = target_summaries(results.data);
+  results.omnibus = omnibus_tests(results.data);
+  results.failure_tests = failure_tests(results.data);
+  results.times = task_times(results.data);
+  results.preference =
+      preference_of(results.data.interfaces, preferred(databases, results.log, results.selection));
   return results;
 }
 

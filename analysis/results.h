@@ -8,14 +8,18 @@
 
 #include "analysis/comparisons.h"
 #include "analysis/deviations.h"
+#include "analysis/failure_tests.h"
 #include "analysis/flow.h"
+#include "analysis/omnibus.h"
 #include "analysis/order_effects.h"
+#include "analysis/preference.h"
 #include "analysis/prereg/prereg_check.h"
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
 #include "analysis/regret.h"
 #include "analysis/sensitivity.h"
 #include "analysis/summaries.h"
+#include "analysis/times.h"
 
 namespace promenade::analysis {
 
@@ -35,6 +39,11 @@ struct Results {
   std::vector<QuestionnaireResult> questionnaires;
   Sensitivity sensitivity;
   std::optional<PreregCheck> prereg;  // with `report --prereg` only
+  std::vector<TargetSummary> target_summaries;
+  std::vector<OmnibusTest> omnibus;
+  FailureTests failure_tests;
+  std::vector<TaskTimes> times;
+  Preference preference;
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;

@@ -1,5 +1,6 @@
 #include "analysis/summaries.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "analysis/item.h"
@@ -22,6 +23,7 @@ FailureRatio failures_at(const Dataset& data, int task, int target, int interfac
     ratio.timeouts += trial.outcome == "timeout" ? 1 : 0;
   }
   ratio.wilson = wilson_interval(ratio.failed, ratio.trials);
+  ratio.clopper_pearson = clopper_pearson_interval(ratio.failed, ratio.trials);
   return ratio;
 }
 
@@ -33,19 +35,57 @@ std::vector<double> present(const std::vector<std::optional<double>>& values) {
   return result;
 }
 
+struct Moments {
+  double mean = 0;
+  std::optional<double> sd;
+};
+
+Moments moments_of(const std::vector<double>& values) {
+  const auto count = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double value : values) sum += value;
+  Moments moments{sum / count, {}};
+  double squares = 0;
+  for (const double value : values) squares += (value - moments.mean) * (value - moments.mean);
+  if (values.size() > 1) moments.sd = std::sqrt(squares / (count - 1));
+  return moments;
+}
+
 void describe(Summary& summary) {
   const std::vector<double> values = present(summary.values);
   summary.n = size_of(values);
   if (values.empty()) return;
-  const auto count = static_cast<double>(values.size());
-  double sum = 0;
-  for (const double value : values) sum += value;
-  summary.mean = sum / count;
-  double squares = 0;
-  for (const double value : values) squares += (value - *summary.mean) * (value - *summary.mean);
-  if (values.size() > 1) summary.sd = std::sqrt(squares / (count - 1));
+  const Moments moments = moments_of(values);
+  summary.mean = moments.mean;
+  summary.sd = moments.sd;
   summary.median = median_of(values);
   summary.median_ci = median_interval(values, 0.95);
+}
+
+// At the place that `place` names; n stays 0 where there is no value.
+TargetSummary describe_at(const Dataset& data, TargetSummary place) {
+  const std::vector<double> values =
+      present(mean_per_person(data, place.measure, place.interface, place.task, place.target));
+  if (values.empty()) return place;
+  const Moments moments = moments_of(values);
+  place.n = size_of(values);
+  place.mean = moments.mean;
+  place.sd = moments.sd;
+  place.median = *median_of(values);
+  place.least = *std::min_element(values.begin(), values.end());
+  place.most = *std::max_element(values.begin(), values.end());
+  return place;
+}
+
+std::vector<TargetSummary> summaries_in(const Dataset& data, int measure, int task) {
+  std::vector<TargetSummary> all;
+  for (int target = 0; target < size_of(item(data.tasks, task).targets); ++target) {
+    for (int i = 0; i < size_of(data.interfaces); ++i) {
+      const TargetSummary one = describe_at(data, {measure, task, target, i});
+      if (one.n > 0) all.push_back(one);
+    }
+  }
+  return all;
 }
 
 }  // namespace
@@ -77,6 +117,18 @@ std::vector<Summary> summaries(const Dataset& data) {
         describe(summary);
         if (summary.n > 0) all.push_back(std::move(summary));
       }
+    }
+  }
+  return all;
+}
+
+std::vector<TargetSummary> target_summaries(const Dataset& data) {
+  std::vector<TargetSummary> all;
+  for (int task = 0; task < size_of(data.tasks); ++task) {
+    for (int measure = 0; measure < size_of(data.measures); ++measure) {
+      if (!data.occurs(measure, task)) continue;
+      const std::vector<TargetSummary> more = summaries_in(data, measure, task);
+      all.insert(all.end(), more.begin(), more.end());
     }
   }
   return all;

@@ -45,18 +45,24 @@ std::vector<std::string> targets_in(const TomlValue& root) {
   return names;
 }
 
-// Names of the tasks of kind guess.
+std::string text_in(const TomlValue& table, std::string_view key, std::string_view otherwise) {
+  const TomlValue* value = find(table, key);
+  return std::string(value && value->kind == TomlValue::Kind::text ? value->text : otherwise);
+}
+
 std::vector<std::string> guesses_in(const TomlValue& root) {
   std::vector<std::string> names;
   const TomlValue* tasks = find(root, "task");
   if (!tasks) return names;
   for (const TomlValue& task : tasks->elements) {
-    const TomlValue* kind = find(task, "kind");
-    const TomlValue* name = find(task, "name");
-    if (!kind || !name || kind->text != "guess") continue;
-    if (name->kind == TomlValue::Kind::text) names.push_back(name->text);
+    if (text_in(task, "kind", "") == "guess") names.push_back(text_in(task, "name", ""));
   }
   return names;
+}
+
+std::string order_in(const TomlValue& root) {
+  const TomlValue* study = find(root, "study");
+  return study ? text_in(*study, "order", "williams") : "";
 }
 
 }  // namespace
@@ -64,8 +70,12 @@ std::vector<std::string> guesses_in(const TomlValue& root) {
 Outline outline_of(std::string_view config_text) {
   try {
     const TomlValue root = parse_toml("", config_text);
-    return {names_in(root, "interface", {"name", "type"}), names_in(root, "task", {"name"}),
-            targets_in(root), names_in(root, "rating", {"item"}), guesses_in(root)};
+    return {names_in(root, "interface", {"name", "type"}),
+            names_in(root, "task", {"name"}),
+            targets_in(root),
+            names_in(root, "rating", {"item"}),
+            guesses_in(root),
+            order_in(root)};
   } catch (const InputError&) {
     return {};
   }

@@ -13,7 +13,8 @@ struct Outline {
   std::vector<std::string> tasks;       // [[task]]: name
   std::vector<std::string> targets;     // and qualities, of all tasks, each once
   std::vector<std::string> ratings;     // [[rating]]: item
-  std::vector<std::string> guesses;     // [[task]] of kind guess: name
+  std::vector<std::string> guesses;     // tasks of the kind guess
+  std::string order;                    // of the interfaces, as [study] says; empty: no [study]
 };
 
 // What cannot be read is left out; a text that is no TOML has an empty outline.

@@ -26,7 +26,7 @@ struct PlannedTest {
   std::optional<double> p_holm;  // over the family of the plan; nothing without a p
 };
 
-struct Deviation {
+struct PlanDeviation {
   std::string about;           // seal, study, participants, exclusions or measures
   std::string planned, found;  // each half a sentence
 };
@@ -36,7 +36,7 @@ struct PreregCheck {
   AnalysisPlan plan;
   SealState seal = SealState::none;
   std::vector<PlannedTest> tests;  // by the order of the plan
-  std::vector<Deviation> deviations;
+  std::vector<PlanDeviation> deviations;
   int exploratory = 0;  // tests of the report that were not planned
 };
 

@@ -1,45 +1,47 @@
-// Values as cells of tables/*.csv and of report.json: what is not defined is empty, or null.
+// Cells of the tables of a report: words for the page, exact values for CSV, and the rows of a
+// CSV as JSON, so that the three say the same.
 #pragma once
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "analysis/report/html.h"
 #include "analysis/report/tables.h"
-#include "analysis/statistics/interval.h"
 
 namespace promenade::analysis {
 
-inline Cell cell_of(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Cell(*value) : Cell();
-}
-inline Cell cell_of(int value) { return std::int64_t{value}; }
-inline Cell cell_of(bool value) { return std::int64_t{value ? 1 : 0}; }
-inline Cell cell_of(const std::string& text) { return text; }
-inline Cell lower_of(const std::optional<Interval>& interval) {
-  return interval ? cell_of(std::optional(interval->lower)) : Cell();
-}
-inline Cell upper_of(const std::optional<Interval>& interval) {
-  return interval ? cell_of(std::optional(interval->upper)) : Cell();
-}
+inline constexpr const char* dash = "–";  // in place of a number that is not defined
 
-// One object for each row, its keys the columns: what a table of the page says, in report.json.
-inline nlohmann::json rows_json(const Table& table) {
-  struct Value {
-    nlohmann::json operator()(std::monostate) const { return nullptr; }
-    nlohmann::json operator()(std::int64_t value) const { return value; }
-    nlohmann::json operator()(double value) const { return value; }
-    nlohmann::json operator()(const std::string& text) const { return text; }
-  };
-  nlohmann::json rows = nlohmann::json::array();
-  for (const std::vector<Cell>& row : table.rows) {
-    nlohmann::json object;
-    for (std::size_t i = 0; i < row.size(); ++i)
-      object[table.columns[i]] = std::visit(Value(), row[i]);
-    rows.push_back(std::move(object));
-  }
-  return rows;
-}
+// For CSV; what is missing or not finite is an empty cell.
+Cell cell(const std::optional<double>& value);
+Cell cell(double value);
+Cell cell(int value);
+Cell cell(bool value);
+Cell cell(const std::string& text);
+Cell cell(const char* text);
+Cell target_name(const Dataset& data, int task, int target);  // -1: empty
+Cell lower(const std::optional<Interval>& interval);
+Cell upper(const std::optional<Interval>& interval);
+
+// The rows of a table as objects, with the columns as keys.
+nlohmann::json json_rows(const Table& table);
+
+// For the page.
+std::string p_cell(const std::optional<double>& p);                         // ".042", "< .001"
+std::string number_cell(const std::optional<double>& value, int decimals);  // "0.42"
+std::string rank_sum(double w);                                             // "12.5", "12"
+std::string percent(double share);                                          // "25 %"
+std::string percent_interval(const Interval& shares);                       // "12 to 43 %"
+std::string target_words(const Dataset& data, int task, int target);        // -1: "all"
+std::string pair_name(const Dataset& data, int a, int b);                   // "map − labels"
+
+// A table that may be wider than a narrow page; nothing without rows.
+Html wide(const HtmlTable& table);
+Html note(const std::string& sentence);
+
+// "map: ", or nothing where there is only one task: how a caption begins.
+std::string of_task(const Dataset& data, int task);
 
 }  // namespace promenade::analysis

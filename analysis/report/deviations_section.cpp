@@ -5,7 +5,7 @@
 
 #include "analysis/report/cells.h"
 #include "analysis/report/people_words.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
@@ -59,9 +59,9 @@ Table deviation_table(const Results& results) {
               {"participant", "kind", "count", "what", "reason"},
               {}};
   for (const Deviation& one : results.deviations) {
-    table.rows.push_back({one.person.empty() ? Cell() : cell_of(one.person),
-                          cell_of(std::string(words_of(one.kind).name)), cell_of(one.count),
-                          cell_of(one.what), cell_of(one.reason)});
+    table.rows.push_back({one.person.empty() ? Cell() : cell(one.person),
+                          cell(std::string(words_of(one.kind).name)), cell(one.count),
+                          cell(one.what), cell(one.reason)});
   }
   return table;
 }
@@ -72,7 +72,7 @@ HtmlTable shown_table(const Results& results) {
   table.columns = {"person", "what happened", "where", "reason"};
   for (const Deviation& one : results.deviations) {
     table.rows.push_back({one.person.empty() ? "nobody" : one.person, with_number(one),
-                          what_of(one), one.reason.empty() ? no_value : one.reason});
+                          what_of(one), one.reason.empty() ? dash : one.reason});
   }
   return table;
 }
@@ -112,7 +112,7 @@ Section deviations_section(const Results& results) {
   nlohmann::json totals = nlohmann::json::object();
   for (const auto& [kind, count] : totals_of(results)) totals[words_of(kind).name] = count;
   section.json["deviations"] = {
-      {"totals", totals}, {"rows", rows_json(table)}, {"notes", results.log.notes}};
+      {"totals", totals}, {"rows", json_rows(table)}, {"notes", results.log.notes}};
   section.tables = {table};
   return section;
 }

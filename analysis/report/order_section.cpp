@@ -3,7 +3,7 @@
 
 #include "analysis/report/cells.h"
 #include "analysis/report/people_words.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
@@ -23,11 +23,10 @@ Table turn_table(const Results& results) {
               {}};
   for (const TurnSummary& one : results.order.turns) {
     const Measure& measure = item(data.measures, one.measure);
-    table.rows.push_back({cell_of(measure.name), cell_of(measure.unit),
-                          cell_of(task_of(data, one.task)), cell_of(one.turn),
-                          cell_of(one.moments.n), cell_of(one.moments.mean),
-                          cell_of(one.moments.sd), lower_of(one.moments.mean_ci),
-                          upper_of(one.moments.mean_ci), cell_of(one.median)});
+    table.rows.push_back({cell(measure.name), cell(measure.unit), cell(task_of(data, one.task)),
+                          cell(one.turn), cell(one.moments.n), cell(one.moments.mean),
+                          cell(one.moments.sd), lower(one.moments.mean_ci),
+                          upper(one.moments.mean_ci), cell(one.median)});
   }
   return table;
 }
@@ -41,12 +40,11 @@ Table learning_table(const Results& results) {
               {}};
   for (const Learning& one : results.order.learning) {
     const Measure& measure = item(data.measures, one.measure);
-    table.rows.push_back(
-        {cell_of(measure.name), cell_of(measure.unit), cell_of(task_of(data, one.task)),
-         cell_of(one.test.n), cell_of(one.test.n_zero), cell_of(one.hl), lower_of(interval_of(one)),
-         upper_of(interval_of(one)), Cell(one.test.w_plus), Cell(one.test.w_minus), cell_of(one.p),
-         cell_of(one.test.n_positive), cell_of(one.test.n_negative),
-         one.sign.n > 0 ? Cell(one.sign.two) : Cell()});
+    table.rows.push_back({cell(measure.name), cell(measure.unit), cell(task_of(data, one.task)),
+                          cell(one.test.n), cell(one.test.n_zero), cell(one.hl),
+                          lower(interval_of(one)), upper(interval_of(one)), Cell(one.test.w_plus),
+                          Cell(one.test.w_minus), cell(one.p), cell(one.test.n_positive),
+                          cell(one.test.n_negative), one.sign.n > 0 ? Cell(one.sign.two) : Cell()});
   }
   return table;
 }
@@ -60,12 +58,11 @@ Table carry_over_table(const Results& results) {
               {}};
   for (const CarryOver& one : results.order.carry_over) {
     const Measure& measure = item(data.measures, one.measure);
-    table.rows.push_back(
-        {cell_of(measure.name), cell_of(measure.unit), cell_of(task_of(data, one.task)),
-         cell_of(item(data.interfaces, one.interface)),
-         one.previous < 0 ? Cell() : cell_of(item(data.interfaces, one.previous)),
-         cell_of(one.moments.n), cell_of(one.moments.mean), cell_of(one.moments.sd),
-         lower_of(one.moments.mean_ci), upper_of(one.moments.mean_ci)});
+    table.rows.push_back({cell(measure.name), cell(measure.unit), cell(task_of(data, one.task)),
+                          cell(item(data.interfaces, one.interface)),
+                          one.previous < 0 ? Cell() : cell(item(data.interfaces, one.previous)),
+                          cell(one.moments.n), cell(one.moments.mean), cell(one.moments.sd),
+                          lower(one.moments.mean_ci), upper(one.moments.mean_ci)});
   }
   return table;
 }
@@ -79,15 +76,14 @@ Table balance_table(const Results& results) {
               {}};
   for (const TurnCount& one : results.order.turn_counts) {
     for (int i = 0; i < size_of(one.at_turn); ++i) {
-      table.rows.push_back({cell_of(task_of(data, one.task)),
-                            cell_of(item(data.interfaces, one.interface)), cell_of(i + 1), Cell(),
-                            cell_of(item(one.at_turn, i))});
+      table.rows.push_back({cell(task_of(data, one.task)),
+                            cell(item(data.interfaces, one.interface)), cell(i + 1), Cell(),
+                            cell(item(one.at_turn, i))});
     }
   }
   for (const SuccessionCount& one : results.order.successions) {
-    table.rows.push_back({cell_of(task_of(data, one.task)),
-                          cell_of(item(data.interfaces, one.interface)), Cell(),
-                          cell_of(item(data.interfaces, one.previous)), cell_of(one.people)});
+    table.rows.push_back({cell(task_of(data, one.task)), cell(item(data.interfaces, one.interface)),
+                          Cell(), cell(item(data.interfaces, one.previous)), cell(one.people)});
   }
   return table;
 }
@@ -105,7 +101,7 @@ HtmlTable shown_balance(const Results& results) {
   for (const TurnCount& one : results.order.turn_counts) {
     std::vector<std::string> row = {task_of(data, one.task), item(data.interfaces, one.interface)};
     for (const int people : one.at_turn) row.push_back(std::to_string(people));
-    std::vector<std::string> after(data.interfaces.size(), no_value);
+    std::vector<std::string> after(data.interfaces.size(), dash);
     for (const SuccessionCount& other : results.order.successions) {
       if (other.task != one.task || other.interface != one.interface) continue;
       item(after, other.previous) = std::to_string(other.people);
@@ -127,8 +123,8 @@ HtmlTable shown_turns(const Results& results) {
     const Moments& m = one.moments;
     table.rows.push_back({measure_in_task(data, one.measure, one.task), std::to_string(one.turn),
                           std::to_string(m.n), with_unit(measure, *m.mean),
-                          m.sd ? shown(measure, *m.sd) : no_value,
-                          m.mean_ci ? shown_interval(measure, *m.mean_ci) : no_value,
+                          m.sd ? shown(measure, *m.sd) : dash,
+                          m.mean_ci ? shown_interval(measure, *m.mean_ci) : dash,
                           with_unit(measure, *one.median)});
   }
   return table;
@@ -151,9 +147,9 @@ HtmlTable shown_learning(const Results& results) {
     const bool several = one.test.n > 1;
     table.rows.push_back({measure_in_task(data, one.measure, one.task), std::to_string(one.test.n),
                           estimate_of(item(data.measures, one.measure), one.hl, interval_of(one)),
-                          several ? p_or_none(one.p) : no_value,
+                          several ? p_cell(one.p) : dash,
                           std::to_string(one.test.n_positive), std::to_string(one.test.n_negative),
-                          several && one.sign.n > 0 ? p_or_none(one.sign.two) : no_value});
+                          several && one.sign.n > 0 ? p_cell(one.sign.two) : dash});
   }
   return table;
 }
@@ -172,8 +168,8 @@ HtmlTable shown_carry_over(const Results& results) {
     table.rows.push_back(
         {measure_in_task(data, one.measure, one.task), item(data.interfaces, one.interface),
          one.previous < 0 ? "nothing" : item(data.interfaces, one.previous), std::to_string(m.n),
-         with_unit(measure, *m.mean), m.sd ? shown(measure, *m.sd) : no_value,
-         m.mean_ci ? shown_interval(measure, *m.mean_ci) : no_value});
+         with_unit(measure, *m.mean), m.sd ? shown(measure, *m.sd) : dash,
+         m.mean_ci ? shown_interval(measure, *m.mean_ci) : dash});
   }
   return table;
 }
@@ -193,7 +189,7 @@ Section order_section(const Results& results) {
                     balance_table(results)};
   section.json["order"] = {{"sentences", results.order.sentences}};
   for (const Table& table : section.tables) {
-    section.json["order"][table.name.substr(6)] = rows_json(table);
+    section.json["order"][table.name.substr(6)] = json_rows(table);
   }
   return section;
 }

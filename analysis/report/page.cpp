@@ -27,8 +27,7 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
   Html body = stripe(results);
   body += element("main", headline(results) + flow_bar(results) + panels(results) +
                               sensitivity_links(results) + buttons() +
-                              figure_section(results, figures) + table_sections(results) +
-                              shown(sections) + method_section(results) +
+                              figure_section(results, figures) + shown(sections) +
                               file_section(results, sections) + provenance_section(results));
   return "<!DOCTYPE html>\n" +
          element("html", {{"lang", "en"}}, element("head", head) + element("body", body)).code +

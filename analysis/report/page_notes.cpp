@@ -1,4 +1,4 @@
-// How it was computed, and from what.
+// What it was computed from.
 #include <fmt/format.h>
 
 #include "analysis/format.h"
@@ -8,30 +8,6 @@
 
 namespace promenade::analysis {
 namespace {
-
-constexpr const char* methods[] = {
-    ("Who counts. The first finished session of each participant. Practice trials, pilot and "
-     "simulated sessions are left out unless asked for; people who declined, withdrew or did not "
-     "finish are counted in the flow only. Trials that were skipped, aborted or cut off are "
-     "missing."),
-    ("Measures. D is the mean distance between the joints of the target and of the created walk "
-     "over one cycle; D at the start, the smallest shown, and final, when the trial ended. Time "
-     "runs from the start of a trial to its end and is restricted to the limit; a failure (time "
-     "limit, or Done with D above the threshold) counts with the time at which it ended, that is, "
-     "censored there. Ratings count only if the person set them."),
-    ("Comparisons. Wilcoxon's signed-rank test on the differences a − b of each pair of "
-     "interfaces, in the order of the study. Zeros are dropped, ties get midranks, and p comes "
-     "from the exact conditional distribution given these ranks, two-sided by doubling. The normal "
-     "p beside it is without continuity correction. Magnitudes that differ by less than 1e-9 "
-     "of the largest value are ties. r is the matched-pairs rank-biserial correlation "
-     "(W+ − W−)/(W+ + W−)."),
-    ("Size. The difference is the Hodges-Lehmann estimate, the median of all Walsh averages of all "
-     "differences, zeros included, with the interval that belongs to the test: its level is at "
-     "least 95 %, and there is none for fewer than six. The intervals of medians are those of the "
-     "sign test, of failure ratios Wilson's."),
-    ("Many tests. Holm's adjustment is made over all pairs of interfaces for one measure at one "
-     "place (task and target, or task). Measures are not adjusted for each other."),
-};
 
 HtmlTable file_table(const Log& log) {
   HtmlTable table;
@@ -102,21 +78,6 @@ Html amendments(const Log& log) {
 }
 
 }  // namespace
-
-Html method_section(const Results& results) {
-  Html html = element("h2", "Method");
-  for (const char* paragraph : methods) html += element("p", paragraph);
-  for (const Task& task : results.data.tasks) {
-    std::string sentence =
-        fmt::format("Task {}: {}", task.name, count_of(size_of(task.targets), "target", "targets"));
-    if (task.limit_s) sentence += fmt::format(", time limit {} s", exact_number(*task.limit_s));
-    if (task.threshold_m) {
-      sentence += fmt::format(", threshold D {} cm", fixed(*task.threshold_m * 100, 2));
-    }
-    html += element("p", sentence + ".");
-  }
-  return html;
-}
 
 Html provenance_section(const Results& results) {
   Html html = element("h2", "Provenance") + text_table(fact_table(results)) +

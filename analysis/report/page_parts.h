@@ -14,15 +14,11 @@ Html flow_bar(const Results& results);
 Html panels(const Results& results);  // dots per interface, triangle of pairs
 Html buttons();
 
-// page_tables.cpp: every number that a paper would print.
-Html table_sections(const Results& results);
-
 // page_files.cpp: figures, and the files beside the page.
 Html figure_section(const Results& results, const std::vector<DrawnFigure>& figures);
 Html file_section(const Results& results, const std::vector<Section>& sections);
 
-// page_notes.cpp: how it was computed, and from what.
-Html method_section(const Results& results);
+// page_notes.cpp: what it was computed from.
 Html provenance_section(const Results& results);
 
 std::string_view page_css();  // page_css.cpp

@@ -7,30 +7,20 @@
 #include "analysis/dataset.h"
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/cells.h"
 #include "analysis/report/html.h"
 #include "analysis/statistics/interval.h"
 
 namespace promenade::analysis {
 
-inline constexpr const char* no_value = "–";
-
-inline std::string fixed_or_none(const std::optional<double>& value, int decimals) {
-  return value ? fixed(*value, decimals) : no_value;
-}
 inline std::string range_or_none(const std::optional<Interval>& interval, int decimals) {
   return interval ? fixed(interval->lower, decimals) + " to " + fixed(interval->upper, decimals)
-                  : no_value;
-}
-// ".042", "< .001": for a column of p.
-inline std::string p_or_none(const std::optional<double>& p) {
-  if (!p) return no_value;
-  const std::string words = p_text(*p);
-  return words[0] == '=' ? words.substr(2) : words;
+                  : dash;
 }
 // In the unit of the measure: "0.4 [0.1, 0.6]".
 inline std::string estimate_of(const Measure& measure, const std::optional<double>& estimate,
                                const std::optional<Interval>& interval) {
-  if (!estimate) return no_value;
+  if (!estimate) return dash;
   std::string words = with_unit(measure, *estimate);
   if (interval) {
     words += " [" + shown(measure, interval->lower) + ", " + shown(measure, interval->upper) + "]";
@@ -39,7 +29,7 @@ inline std::string estimate_of(const Measure& measure, const std::optional<doubl
 }
 
 inline std::string share_of(int count, int all) {
-  return all > 0 ? fixed(100.0 * count / all, 0) + " %" : no_value;
+  return all > 0 ? fixed(100.0 * count / all, 0) + " %" : dash;
 }
 
 // "final D, match": the task where there are several.

@@ -35,7 +35,7 @@ std::string sentence_on_tests(const PreregCheck& check) {
 Html deviations_html(const PreregCheck& check) {
   if (check.deviations.empty()) return element("p", "Nothing was done otherwise.");
   HtmlTable table{"What was done otherwise", {"about", "planned", "found"}, {}, {}};
-  for (const Deviation& one : check.deviations) {
+  for (const PlanDeviation& one : check.deviations) {
     table.rows.push_back({one.about, one.planned, one.found});
   }
   return render(table);
@@ -82,7 +82,7 @@ Table deviation_table(const PreregCheck& check) {
               "What was done otherwise than registered.",
               {"about", "planned", "found"},
               {}};
-  for (const Deviation& one : check.deviations) {
+  for (const PlanDeviation& one : check.deviations) {
     table.rows.push_back({one.about, one.planned, one.found});
   }
   return table;
@@ -151,7 +151,7 @@ Json tests_json(const Results& results, const PreregCheck& check) {
 
 Json prereg_json(const Results& results, const PreregCheck& check) {
   Json deviations = Json::array();
-  for (const Deviation& one : check.deviations) {
+  for (const PlanDeviation& one : check.deviations) {
     deviations.push_back({{"about", one.about}, {"planned", one.planned}, {"found", one.found}});
   }
   return {{"file", check.file},

@@ -3,7 +3,7 @@
 
 #include "analysis/report/cells.h"
 #include "analysis/report/people_words.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
@@ -20,13 +20,12 @@ Table count_table(const Results& results) {
                "uncertainty_ms_median", "uncertainty_ms_largest", "skipped", "aborted", "cut_off"},
               {}};
   for (const QualityCount& one : results.quality.counts) {
-    table.rows.push_back({cell_of(name_of(results.data, one.interface)), cell_of(one.trials),
-                          cell_of(one.flagged), cell_of(one.interrupted), cell_of(one.paused),
-                          cell_of(one.slow_frames), cell_of(one.coarse_time),
-                          cell_of(one.late_frames), cell_of(std::optional(one.minutes)),
-                          cell_of(one.late_per_minute), cell_of(one.median_uncertainty_ms),
-                          cell_of(one.largest_uncertainty_ms), cell_of(one.skipped),
-                          cell_of(one.aborted), cell_of(one.cut_off)});
+    table.rows.push_back({cell(name_of(results.data, one.interface)), cell(one.trials),
+                          cell(one.flagged), cell(one.interrupted), cell(one.paused),
+                          cell(one.slow_frames), cell(one.coarse_time), cell(one.late_frames),
+                          cell(std::optional(one.minutes)), cell(one.late_per_minute),
+                          cell(one.median_uncertainty_ms), cell(one.largest_uncertainty_ms),
+                          cell(one.skipped), cell(one.aborted), cell(one.cut_off)});
   }
   return table;
 }
@@ -42,14 +41,13 @@ Table trial_table(const Results& results) {
   for (const Trial& trial : data.trials) {
     const TrialQuality& quality = trial.quality;
     const LoggedTrial& logged = item(results.log.trials, trial.logged);
-    table.rows.push_back(
-        {cell_of(item(data.people, trial.person)),
-         cell_of(item(results.log.sessions, logged.session).uuid), cell_of(logged.uuid),
-         cell_of(trial.position), cell_of(item(data.interfaces, trial.interface)),
-         cell_of(logged.task), cell_of(logged.target), cell_of(quality.late_frames),
-         cell_of(std::optional(quality.uncertainty_ms)), cell_of(quality.interrupted),
-         cell_of(quality.paused), cell_of(quality.slow_frames), cell_of(quality.coarse_time),
-         cell_of(quality.flagged())});
+    table.rows.push_back({cell(item(data.people, trial.person)),
+                          cell(item(results.log.sessions, logged.session).uuid), cell(logged.uuid),
+                          cell(trial.position), cell(item(data.interfaces, trial.interface)),
+                          cell(logged.task), cell(logged.target), cell(quality.late_frames),
+                          cell(std::optional(quality.uncertainty_ms)), cell(quality.interrupted),
+                          cell(quality.paused), cell(quality.slow_frames),
+                          cell(quality.coarse_time), cell(quality.flagged())});
   }
   return table;
 }
@@ -73,9 +71,9 @@ HtmlTable shown_table(const Results& results) {
   for (const QualityCount& one : results.quality.counts) {
     table.rows.push_back({name_of(results.data, one.interface), std::to_string(one.trials),
                           std::to_string(one.flagged), share_of(one.flagged, one.trials),
-                          std::to_string(one.late_frames), fixed_or_none(one.late_per_minute, 1),
-                          fixed_or_none(one.median_uncertainty_ms, 1) + " ms",
-                          fixed_or_none(one.largest_uncertainty_ms, 1) + " ms",
+                          std::to_string(one.late_frames), number_cell(one.late_per_minute, 1),
+                          number_cell(one.median_uncertainty_ms, 1) + " ms",
+                          number_cell(one.largest_uncertainty_ms, 1) + " ms",
                           std::to_string(one.interrupted), std::to_string(one.paused),
                           std::to_string(one.skipped + one.aborted + one.cut_off)});
     table.strong.push_back(one.interface < 0);
@@ -100,7 +98,7 @@ Section quality_section(const Results& results) {
   section.title = "Data quality";
   const Table counts = count_table(results);
   section.html = element("p", sentence_on(results)) + boxed(shown_table(results));
-  section.json["quality"] = {{"counts", rows_json(counts)},
+  section.json["quality"] = {{"counts", json_rows(counts)},
                              {"resumed_sessions", results.quality.resumed_sessions},
                              {"resumptions", results.quality.resumptions}};
   section.tables = {counts, trial_table(results)};

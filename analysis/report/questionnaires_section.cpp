@@ -3,7 +3,7 @@
 
 #include "analysis/report/cells.h"
 #include "analysis/report/people_words.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
@@ -15,7 +15,7 @@ std::string interface_name(const Dataset& data, int interface) {
 }
 
 std::vector<Cell> head_of(const QuestionnaireResult& one) {
-  return {cell_of(one.instrument), cell_of(one.version), cell_of(one.asked)};
+  return {cell(one.instrument), cell(one.version), cell(one.asked)};
 }
 
 void add_row(const QuestionnaireResult& one, std::vector<Cell> cells, Table& table) {
@@ -34,10 +34,10 @@ Table scale_table(const Results& results) {
     for (const ScaleResult& scale : one.scales) {
       const Moments& m = scale.moments;
       add_row(one,
-              {cell_of(scale.name), cell_of(std::string(scale.is_score ? "score" : "item")),
-               cell_of(interface_name(results.data, scale.interface)), cell_of(m.n),
-               cell_of(m.mean), cell_of(m.sd), lower_of(m.mean_ci), upper_of(m.mean_ci),
-               cell_of(scale.median), lower_of(scale.median_ci), upper_of(scale.median_ci)},
+              {cell(scale.name), cell(std::string(scale.is_score ? "score" : "item")),
+               cell(interface_name(results.data, scale.interface)), cell(m.n), cell(m.mean),
+               cell(m.sd), lower(m.mean_ci), upper(m.mean_ci), cell(scale.median),
+               lower(scale.median_ci), upper(scale.median_ci)},
               table);
     }
   }
@@ -56,11 +56,11 @@ Table pair_table(const Results& results) {
       const Comparison& c = pair.comparison;
       const auto ci = c.hl_ci ? std::optional(c.hl_ci->interval) : std::nullopt;
       add_row(one,
-              {cell_of(pair.name), cell_of(item(results.data.interfaces, c.a)),
-               cell_of(item(results.data.interfaces, c.b)), cell_of(c.test.n), cell_of(c.missing),
-               cell_of(c.test.n_zero), Cell(c.test.w_plus), Cell(c.test.w_minus),
-               c.test.exact ? Cell(c.test.exact->two) : Cell(), cell_of(c.p_holm),
-               cell_of(c.test.rank_biserial), cell_of(c.hl), lower_of(ci), upper_of(ci)},
+              {cell(pair.name), cell(item(results.data.interfaces, c.a)),
+               cell(item(results.data.interfaces, c.b)), cell(c.test.n), cell(c.missing),
+               cell(c.test.n_zero), Cell(c.test.w_plus), Cell(c.test.w_minus),
+               c.test.exact ? Cell(c.test.exact->two) : Cell(), cell(c.p_holm),
+               cell(c.test.rank_biserial), cell(c.hl), lower(ci), upper(ci)},
               table);
     }
   }
@@ -76,9 +76,9 @@ Table alpha_table(const Results& results) {
   for (const QuestionnaireResult& one : results.questionnaires) {
     for (const ScoreAlpha& of : one.alphas) {
       add_row(one,
-              {cell_of(of.score), cell_of(interface_name(results.data, of.interface)),
-               cell_of(of.alpha.n), cell_of(of.alpha.k), cell_of(of.alpha.alpha),
-               lower_of(of.alpha.interval), upper_of(of.alpha.interval)},
+              {cell(of.score), cell(interface_name(results.data, of.interface)), cell(of.alpha.n),
+               cell(of.alpha.k), cell(of.alpha.alpha), lower(of.alpha.interval),
+               upper(of.alpha.interval)},
               table);
     }
   }
@@ -94,9 +94,9 @@ Table choice_table(const Results& results) {
   for (const QuestionnaireResult& one : results.questionnaires) {
     for (const ChoiceCount& choice : one.choices) {
       add_row(one,
-              {cell_of(choice.item), cell_of(interface_name(results.data, choice.interface)),
-               cell_of(choice.choice.empty() ? own_words : choice.choice), cell_of(choice.count),
-               cell_of(choice.answers), Cell(static_cast<double>(choice.count) / choice.answers)},
+              {cell(choice.item), cell(interface_name(results.data, choice.interface)),
+               cell(choice.choice.empty() ? own_words : choice.choice), cell(choice.count),
+               cell(choice.answers), Cell(static_cast<double>(choice.count) / choice.answers)},
               table);
     }
   }
@@ -113,8 +113,8 @@ Table rank_table(const Results& results) {
     for (const RankResult& rank : one.ranks) {
       for (int i = 0; i < size_of(rank.counts); ++i) {
         add_row(one,
-                {cell_of(rank.item), cell_of(rank.choice), cell_of(rank.n), Cell(rank.mean_rank),
-                 cell_of(i + 1), cell_of(item(rank.counts, i))},
+                {cell(rank.item), cell(rank.choice), cell(rank.n), Cell(rank.mean_rank),
+                 cell(i + 1), cell(item(rank.counts, i))},
                 table);
       }
     }
@@ -125,7 +125,7 @@ Table rank_table(const Results& results) {
 std::string alpha_words(const QuestionnaireResult& one, const ScaleResult& scale) {
   for (const ScoreAlpha& of : one.alphas) {
     if (!scale.is_score || of.score != scale.name || of.interface != scale.interface) continue;
-    if (!of.alpha.alpha) return no_value;
+    if (!of.alpha.alpha) return dash;
     std::string words = fixed(*of.alpha.alpha, 2);
     if (of.alpha.interval) {
       words += " [" + fixed(of.alpha.interval->lower, 2) + ", " +
@@ -133,7 +133,7 @@ std::string alpha_words(const QuestionnaireResult& one, const ScaleResult& scale
     }
     return words;
   }
-  return no_value;
+  return dash;
 }
 
 HtmlTable shown_scales(const Results& results, const QuestionnaireResult& one) {
@@ -154,8 +154,8 @@ HtmlTable shown_scales(const Results& results, const QuestionnaireResult& one) {
   for (const ScaleResult& scale : one.scales) {
     const Moments& m = scale.moments;
     table.rows.push_back({scale.name, interface_name(results.data, scale.interface),
-                          std::to_string(m.n), fixed_or_none(m.mean, 2), fixed_or_none(m.sd, 2),
-                          range_or_none(m.mean_ci, 2), fixed_or_none(scale.median, 2),
+                          std::to_string(m.n), number_cell(m.mean, 2), number_cell(m.sd, 2),
+                          range_or_none(m.mean_ci, 2), number_cell(scale.median, 2),
                           range_or_none(scale.median_ci, 2), alpha_words(one, scale)});
     table.strong.push_back(scale.is_score);
   }
@@ -171,15 +171,15 @@ HtmlTable shown_pairs(const Results& results, const QuestionnaireResult& one) {
   table.heads = 2;
   for (const ScalePair& pair : one.pairs) {
     const Comparison& c = pair.comparison;
-    std::string difference = fixed_or_none(c.hl, 2);
+    std::string difference = number_cell(c.hl, 2);
     if (c.hl_ci) {
       difference +=
           " [" + fixed(c.hl_ci->interval.lower, 2) + ", " + fixed(c.hl_ci->interval.upper, 2) + "]";
     }
     table.rows.push_back(
         {pair.name, item(results.data.interfaces, c.a) + " − " + item(results.data.interfaces, c.b),
-         std::to_string(c.test.n), difference, p_or_none(c.p), p_or_none(c.p_holm),
-         fixed_or_none(c.test.rank_biserial, 2)});
+         std::to_string(c.test.n), difference, p_cell(c.p), p_cell(c.p_holm),
+         number_cell(c.test.rank_biserial, 2)});
     table.strong.push_back(c.p_holm.value_or(1) < 0.05);
   }
   return table;
@@ -215,7 +215,7 @@ HtmlTable shown_ranks(const QuestionnaireResult& one) {
     std::vector<std::string> row = {rank.item, rank.choice, std::to_string(rank.n),
                                     fixed(rank.mean_rank, 2)};
     for (const int count : rank.counts) row.push_back(std::to_string(count));
-    row.resize(places + 4, no_value);
+    row.resize(places + 4, dash);
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -293,7 +293,7 @@ Section questionnaires_section(const Results& results) {
                                    {"alphas", alpha_table(results)},
                                    {"choices", choice_table(results)},
                                    {"rankings", rank_table(results)}}) {
-    json[key] = rows_json(table);
+    json[key] = json_rows(table);
     if (!table.rows.empty()) section.tables.push_back(table);
   }
   return section;

@@ -1,7 +1,7 @@
 // What each interface can reach at all: the yardstick of regret.
 #include "analysis/format.h"
 #include "analysis/item.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 

@@ -37,13 +37,18 @@ Json comparison_json(const Dataset& data, const Comparison& one) {
           {"n", test.n},
           {"n_missing", one.missing},
           {"n_zero", test.n_zero},
+          {"n_tied", test.n_tied},
+          {"tie_sum", test.tie_sum},
           {"W_plus", test.w_plus},
           {"W_minus", test.w_minus},
           {"p_exact_two", any && test.exact ? Json(test.exact->two) : Json()},
           {"p_asym_two", test.normal ? Json(test.normal->two) : Json()},
           {"p_asym_cc_two", test.normal_corrected ? Json(test.normal_corrected->two) : Json()},
           {"p_holm", number(one.p_holm)},
+          {"holm_family", one.family},
+          {"p_holm_from", !one.p ? Json() : Json(is_approximate(one) ? "asymptotic" : "exact")},
           {"rank_biserial", number(test.rank_biserial)},
+          {"rank_biserial_ci", pair(one.rank_biserial_ci)},
           {"hl", number(one.hl)},
           {"hl_ci", pair(ci)},
           {"hl_ci_level", one.hl_ci ? Json(one.hl_ci->level) : Json()}};
@@ -57,7 +62,8 @@ Json failure_json(const Dataset& data, const FailureRatio& one) {
           {"failed", one.failed},
           {"timeouts", one.timeouts},
           {"ratio", static_cast<double>(one.failed) / one.trials},
-          {"wilson_ci", pair(one.wilson)}};
+          {"wilson_ci", pair(one.wilson)},
+          {"clopper_pearson_ci", pair(one.clopper_pearson)}};
 }
 
 Json summary_json(const Dataset& data, const Summary& one) {

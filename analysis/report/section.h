@@ -21,14 +21,6 @@ struct Section {
   nlohmann::json json = nlohmann::json::object();
 };
 
-// Each in its own NAME_section.cpp.
-Section questionnaires_section(const Results& results);
-Section quality_section(const Results& results);
-Section deviations_section(const Results& results);
-Section sensitivity_section(const Results& results);
-Section order_section(const Results& results);
-Section reach_section(const Results& results);
-
 // Of a heading, for links within the page: "Data quality" is "data-quality".
 std::string anchor_of(const std::string& title);
 

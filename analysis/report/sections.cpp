@@ -1,14 +1,29 @@
 #include "analysis/report/prereg_section.h"
+#include "analysis/report/report_sections.h"
 #include "analysis/report/section.h"
 
 namespace promenade::analysis {
 
 std::vector<Section> sections_of(const Results& results) {
   std::vector<Section> sections = {
-      reach_section(results),      questionnaires_section(results), quality_section(results),
-      deviations_section(results), sensitivity_section(results),    order_section(results),
+      comparisons_section(results),     //
+      descriptives_section(results),    //
+      omnibus_section(results),         //
+      failures_section(results),        //
+      guesses_section(results),         //
+      times_section(results),           //
+      preference_section(results),      //
+      questionnaires_section(results),  //
+      targets_section(results),         //
+      reach_section(results),           //
+      pooled_section(results),          //
+      sensitivity_section(results),     //
+      order_section(results),           //
+      quality_section(results),         //
+      deviations_section(results),      //
   };
   if (results.prereg) sections.push_back(prereg_section(results));
+  sections.push_back(methods_section(results));
   return sections;
 }
 

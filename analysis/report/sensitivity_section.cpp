@@ -1,13 +1,13 @@
 // Primary results with other trials and people, side by side.
 #include "analysis/report/cells.h"
 #include "analysis/report/people_words.h"
-#include "analysis/report/section.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
 
 std::string answer(const std::optional<bool>& same) {
-  if (!same) return no_value;
+  if (!same) return dash;
   return *same ? "yes" : "no";
 }
 
@@ -26,12 +26,11 @@ Table result_table(const Results& results) {
     for (const SensitivityResult& one : variant.results) {
       const Measure& measure = item(data.measures, one.measure);
       table.rows.push_back(
-          {cell_of(variant.name), cell_of(variant.people), cell_of(variant.trials),
-           cell_of(measure.name), cell_of(measure.unit), cell_of(item(data.tasks, one.task).name),
-           cell_of(item(data.interfaces, one.a)), cell_of(item(data.interfaces, one.b)),
-           cell_of(one.n), cell_of(one.hl), lower_of(one.hl_ci), upper_of(one.hl_ci),
-           cell_of(one.p), cell_of(one.p_holm),
-           one.same_conclusion ? cell_of(*one.same_conclusion) : Cell()});
+          {cell(variant.name), cell(variant.people), cell(variant.trials), cell(measure.name),
+           cell(measure.unit), cell(item(data.tasks, one.task).name),
+           cell(item(data.interfaces, one.a)), cell(item(data.interfaces, one.b)), cell(one.n),
+           cell(one.hl), lower(one.hl_ci), upper(one.hl_ci), cell(one.p), cell(one.p_holm),
+           one.same_conclusion ? cell(*one.same_conclusion) : Cell()});
     }
   }
   return table;
@@ -56,7 +55,7 @@ HtmlTable shown_table(const Results& results) {
       table.rows.push_back(
           {measure_in_task(data, one.measure, one.task), pair_of(data, one), variant.name,
            std::to_string(one.n), estimate_of(item(data.measures, one.measure), one.hl, one.hl_ci),
-           p_or_none(one.p), p_or_none(one.p_holm), first ? "" : answer(one.same_conclusion)});
+           p_cell(one.p), p_cell(one.p_holm), first ? "" : answer(one.same_conclusion)});
       table.strong.push_back(!first && !one.same_conclusion.value_or(true));
     }
   }
@@ -85,7 +84,7 @@ Section sensitivity_section(const Results& results) {
   section.html = sentences(results);
   const Table table = result_table(results);
   section.json["sensitivity"] = {{"sentences", results.sensitivity.sentences},
-                                 {"results", rows_json(table)}};
+                                 {"results", json_rows(table)}};
   if (!table.rows.empty()) section.tables = {table};
   if (results.sensitivity.variants.size() > 1) section.html += boxed(shown_table(results));
   return section;

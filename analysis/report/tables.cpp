@@ -1,41 +1,48 @@
 #include "analysis/report/tables.h"
 
-#include <cmath>
-
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/cells.h"
 #include "study/csv.h"
 
 namespace promenade::analysis {
 namespace {
 
-Cell cell(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Cell(*value) : Cell();
-}
-Cell cell(int value) { return std::int64_t{value}; }
-Cell cell(bool value) { return std::int64_t{value ? 1 : 0}; }
-Cell cell(const std::string& text) { return text; }
-
-Cell target_name(const Dataset& data, int task, int target) {
-  if (target < 0) return {};
-  return item(item(data.tasks, task).targets, target);
-}
-
-Cell lower(const std::optional<LocationInterval>& ci) {
-  return ci ? Cell(ci->interval.lower) : Cell();
-}
-Cell upper(const std::optional<LocationInterval>& ci) {
-  return ci ? Cell(ci->interval.upper) : Cell();
+std::optional<Interval> interval_of(const std::optional<LocationInterval>& ci) {
+  return ci ? std::optional(ci->interval) : std::nullopt;
 }
 
 Table comparison_table(const Results& results) {
   const Dataset& data = results.data;
   Table table{"comparisons",
               "Every pair of interfaces (differences are a − b) by the signed-rank test.",
-              {"measure",     "unit",        "task",          "target", "pooling",       "a",
-               "b",           "n",           "n_missing",     "n_zero", "W_plus",        "W_minus",
-               "p_exact_two", "p_asym_two",  "p_asym_cc_two", "p_holm", "rank_biserial", "hl",
-               "hl_ci_lower", "hl_ci_upper", "hl_ci_level"},
+              {"measure",
+               "unit",
+               "task",
+               "target",
+               "pooling",
+               "a",
+               "b",
+               "n",
+               "n_missing",
+               "n_zero",
+               "n_tied",
+               "tie_sum",
+               "W_plus",
+               "W_minus",
+               "p_exact_two",
+               "p_asym_two",
+               "p_asym_cc_two",
+               "p_holm",
+               "holm_family",
+               "p_holm_from",
+               "rank_biserial",
+               "rank_biserial_ci_lower",
+               "rank_biserial_ci_upper",
+               "hl",
+               "hl_ci_lower",
+               "hl_ci_upper",
+               "hl_ci_level"},
               {}};
   for (const Comparison& one : results.comparisons) {
     const SignedRankTest& test = one.test;
@@ -50,16 +57,22 @@ Table comparison_table(const Results& results) {
                           cell(test.n),
                           cell(one.missing),
                           cell(test.n_zero),
+                          cell(test.n_tied),
+                          cell(test.tie_sum),
                           Cell(test.w_plus),
                           Cell(test.w_minus),
                           any && test.exact ? Cell(test.exact->two) : Cell(),
                           test.normal ? Cell(test.normal->two) : Cell(),
                           test.normal_corrected ? Cell(test.normal_corrected->two) : Cell(),
                           cell(one.p_holm),
+                          cell(one.family),
+                          one.p ? cell(is_approximate(one) ? "asymptotic" : "exact") : Cell(),
                           cell(test.rank_biserial),
+                          lower(one.rank_biserial_ci),
+                          upper(one.rank_biserial_ci),
                           cell(one.hl),
-                          lower(one.hl_ci),
-                          upper(one.hl_ci),
+                          lower(interval_of(one.hl_ci)),
+                          upper(interval_of(one.hl_ci)),
                           one.hl_ci ? Cell(one.hl_ci->level) : Cell()});
   }
   return table;
@@ -67,17 +80,19 @@ Table comparison_table(const Results& results) {
 
 Table failure_table(const Results& results) {
   const Dataset& data = results.data;
-  Table table{"failures",
-              "Failed trials per interface and task with the 95 % Wilson interval.",
-              {"task", "target", "interface", "trials", "failed", "timeouts", "ratio",
-               "wilson_lower", "wilson_upper"},
-              {}};
+  Table table{
+      "failures",
+      "Failed trials per interface and task with the 95 % intervals of Wilson and of Clopper "
+      "and Pearson.",
+      {"task", "target", "interface", "trials", "failed", "timeouts", "ratio", "wilson_lower",
+       "wilson_upper", "clopper_pearson_lower", "clopper_pearson_upper"},
+      {}};
   for (const FailureRatio& one : results.failures) {
     table.rows.push_back(
         {cell(item(data.tasks, one.task).name), target_name(data, one.task, one.target),
          cell(item(data.interfaces, one.interface)), cell(one.trials), cell(one.failed),
-         cell(one.timeouts), Cell(static_cast<double>(one.failed) / one.trials),
-         Cell(one.wilson.lower), Cell(one.wilson.upper)});
+         cell(one.timeouts), Cell(static_cast<double>(one.failed) / one.trials), lower(one.wilson),
+         upper(one.wilson), lower(one.clopper_pearson), upper(one.clopper_pearson)});
   }
   return table;
 }
@@ -90,12 +105,11 @@ Table summary_table(const Results& results) {
                "median_ci_lower", "median_ci_upper"},
               {}};
   for (const Summary& one : results.summaries) {
-    const auto& ci = one.median_ci;
     table.rows.push_back(
         {cell(item(data.measures, one.measure).name), cell(item(data.measures, one.measure).unit),
          cell(item(data.tasks, one.task).name), cell(item(data.interfaces, one.interface)),
-         cell(one.n), cell(one.mean), cell(one.sd), cell(one.median), ci ? Cell(ci->lower) : Cell(),
-         ci ? Cell(ci->upper) : Cell()});
+         cell(one.n), cell(one.mean), cell(one.sd), cell(one.median), lower(one.median_ci),
+         upper(one.median_ci)});
   }
   return table;
 }

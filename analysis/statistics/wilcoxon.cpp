@@ -16,7 +16,8 @@ struct SignedRank {
   bool positive = false;
 };
 
-std::vector<SignedRank> rank(const std::vector<double>& d, Zeros zeros, double& tie_sum) {
+// Counts the ties in `test`.
+std::vector<SignedRank> rank(const std::vector<double>& d, Zeros zeros, SignedRankTest& test) {
   std::vector<double> sorted;
   for (const double value : d) {
     if (value != 0) sorted.push_back(value);
@@ -30,7 +31,8 @@ std::vector<SignedRank> rank(const std::vector<double>& d, Zeros zeros, double& 
     const auto doubled = static_cast<std::int64_t>(2 * before + begin + 1 + end);
     for (std::size_t i = begin; i < end; ++i) ranks.push_back({doubled, sorted[i] > 0});
     const auto ties = static_cast<double>(end - begin);
-    tie_sum += ties * ties * ties - ties;
+    test.tie_sum += ties * ties * ties - ties;
+    test.n_tied += end - begin > 1 ? static_cast<int>(end - begin) : 0;
   }
   return ranks;
 }
@@ -68,7 +70,7 @@ void add_normal(SignedRankTest& test) {
 
 SignedRankTest wilcoxon(const std::vector<double>& d, Zeros zeros, std::size_t exact_up_to) {
   SignedRankTest test;
-  const std::vector<SignedRank> ranks = rank(d, zeros, test.tie_sum);
+  const std::vector<SignedRank> ranks = rank(d, zeros, test);
   std::int64_t plus = 0;
   std::int64_t total = 0;
   for (const SignedRank& r : ranks) {

@@ -30,6 +30,7 @@ struct SignedRankTest {
   int n_zero = 0;
   int n_positive = 0;
   int n_negative = 0;
+  int n_tied = 0;      // non-zero differences that share their |d| with another one
   double tie_sum = 0;  // sum of t^3 - t over groups of t equal non-zero |d|
   double w_plus = 0;
   double w_minus = 0;

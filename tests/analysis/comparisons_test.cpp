@@ -70,6 +70,27 @@ TEST(Comparisons, AreAdjustedOverThePairsOfOneMeasure) {
   }
 }
 
+TEST(Comparisons, SayHowManyTestsTheFamilyHas) {
+  const auto all = compare_all(dataset(
+      6, 4, [](int p, int i, int) { return i == 3 ? std::nullopt : std::optional(10.0 * i + p); }));
+  for (const Comparison& one : at(all, Pooling::participants)) EXPECT_EQ(one.family, 3);
+}
+
+// Beyond pooled_limit pairs only pooled tests lose their exact p.
+TEST(Comparisons, AreApproximateOnlyWherePooledAndMany) {
+  std::vector<std::optional<double>> a, b(pooled_limit + 1, 0.0);
+  for (std::size_t i = 1; i <= pooled_limit + 1; ++i) a.emplace_back(static_cast<double>(i));
+  Comparison place;
+  place.pooling = Pooling::trials;
+  EXPECT_TRUE(is_approximate(compare_pairs(place, {a, b})[0]));
+  place.pooling = Pooling::participants;
+  EXPECT_FALSE(is_approximate(compare_pairs(place, {a, b})[0]));
+  a.pop_back();
+  b.pop_back();
+  place.pooling = Pooling::trials;
+  EXPECT_FALSE(is_approximate(compare_pairs(place, {a, b})[0]));
+}
+
 TEST(Comparisons, LeavePairsThatNobodyHasOutOfTheFamily) {
   const auto all = compare_all(dataset(
       6, 3, [](int p, int i, int) { return i == 2 ? std::nullopt : std::optional(10.0 * i + p); }));

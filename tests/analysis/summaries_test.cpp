@@ -31,6 +31,27 @@ TEST(Summaries, HaveMeanSpreadAndMedian) {
   EXPECT_FALSE(all[0].median_ci) << "three values are too few";
 }
 
+TEST(TargetSummaries, StandForEachTargetByItself) {
+  const auto all = target_summaries(three_people());
+  ASSERT_EQ(all.size(), 2u) << "two targets with labels";
+  EXPECT_EQ(all[0].target, 0);
+  EXPECT_EQ(all[0].n, 2);
+  EXPECT_EQ(all[0].mean, 3);
+  EXPECT_EQ(all[0].median, 3);
+  EXPECT_DOUBLE_EQ(*all[0].sd, std::sqrt(2.0));
+  EXPECT_EQ(all[0].least, 2);
+  EXPECT_EQ(all[0].most, 4);
+  EXPECT_EQ(all[1].n, 1);
+  EXPECT_FALSE(all[1].sd);
+}
+
+// Exactly: the p with P(Bin(1, p) >= 1) = .025.
+TEST(FailureRatios, HaveTheExactIntervalToo) {
+  const auto ratios = failure_ratios(three_people());
+  EXPECT_NEAR(ratios[2].clopper_pearson.lower, 0.025, 1e-12);
+  EXPECT_EQ(ratios[2].clopper_pearson.upper, 1);
+}
+
 TEST(FailureRatios, CountTrialsOfAllTargetsAndOfEach) {
   const auto ratios = failure_ratios(three_people());
   ASSERT_EQ(ratios.size(), 3u);

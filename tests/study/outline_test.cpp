@@ -22,11 +22,14 @@ TEST(Outline, NamesTargetsAndQualitiesOfAllTasksOnce) {
   EXPECT_EQ(outline.targets, (std::vector<std::string>{"sad", "mix", "tired"}));
 }
 
-TEST(Outline, NamesTheTasksInWhichOneGuesses) {
+TEST(Outline, KnowsGuessesAndTheOrderOfTheInterfaces) {
   const Outline outline = outline_of(
-      "[[task]]\nname = \"a\"\nkind = \"guess\"\n[[task]]\nname = \"b\"\nkind = \"match\"\n"
-      "[[task]]\nkind = \"guess\"\n[[task]]\nname = \"c\"\nkind = 3\n");
-  EXPECT_EQ(outline.guesses, std::vector<std::string>{"a"});
+      "[study]\norder = \"latin\"\n[[task]]\nname = \"blind\"\nkind = \"guess\"\n"
+      "[[task]]\nname = \"match\"\nkind = \"match\"\n");
+  EXPECT_EQ(outline.guesses, std::vector<std::string>{"blind"});
+  EXPECT_EQ(outline.order, "latin");
+  EXPECT_EQ(outline_of("[study]\n").order, "williams") << "what a study has that says nothing";
+  EXPECT_EQ(outline_of("").order, "");
 }
 
 TEST(Outline, OfWhatIsNoStudyIsEmpty) {

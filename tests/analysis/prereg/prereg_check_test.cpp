@@ -50,7 +50,7 @@ class PreregCheckTest : public testing::Test {
   }
   static std::string all(const PreregCheck& check) {
     std::string text;
-    for (const Deviation& one : check.deviations) {
+    for (const PlanDeviation& one : check.deviations) {
       text += one.about + ": " + one.planned + " / " + one.found + "\n";
     }
     return text;

@@ -123,5 +123,12 @@ TEST(Wilcoxon, OfMoreThanIsFeasibleStillHasTheNormalApproximation) {
   EXPECT_TRUE(test.normal);
 }
 
+// |d|: 1 1 2 3 3 3, and a zero.
+TEST(Wilcoxon, CountsTheDifferencesThatAreTied) {
+  const SignedRankTest test = wilcoxon({1, -1, 2, 3, 0, 3, -3});
+  EXPECT_EQ(test.n_tied, 5);
+  EXPECT_EQ(test.tie_sum, 6 + 24);
+}
+
 }  // namespace
 }  // namespace promenade::analysis

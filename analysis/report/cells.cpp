@@ -1,0 +1,89 @@
+#include "analysis/report/cells.h"
+
+#include <cmath>
+
+#include "analysis/format.h"
+#include "analysis/item.h"
+
+namespace promenade::analysis {
+namespace {
+
+struct JsonValue {
+  nlohmann::json operator()(std::monostate) const { return nullptr; }
+  template <typename Value>
+  nlohmann::json operator()(const Value& value) const {
+    return value;
+  }
+};
+
+}  // namespace
+
+Cell cell(const std::optional<double>& value) { return value ? cell(*value) : Cell(); }
+Cell cell(double value) { return std::isfinite(value) ? Cell(value) : Cell(); }
+Cell cell(int value) { return std::int64_t{value}; }
+Cell cell(bool value) { return std::int64_t{value ? 1 : 0}; }
+Cell cell(const std::string& text) { return text; }
+Cell cell(const char* text) { return std::string(text); }
+
+Cell target_name(const Dataset& data, int task, int target) {
+  if (target < 0) return {};
+  return item(item(data.tasks, task).targets, target);
+}
+
+Cell lower(const std::optional<Interval>& interval) {
+  return interval ? cell(interval->lower) : Cell();
+}
+Cell upper(const std::optional<Interval>& interval) {
+  return interval ? cell(interval->upper) : Cell();
+}
+
+nlohmann::json json_rows(const Table& table) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const std::vector<Cell>& row : table.rows) {
+    nlohmann::json object = nlohmann::json::object();
+    for (int i = 0; i < size_of(row); ++i) {
+      object[item(table.columns, i)] = std::visit(JsonValue(), item(row, i));
+    }
+    rows.push_back(std::move(object));
+  }
+  return rows;
+}
+
+std::string p_cell(const std::optional<double>& p) {
+  if (!p) return dash;
+  const std::string words = p_text(*p);
+  return words[0] == '=' ? words.substr(2) : words;
+}
+
+std::string number_cell(const std::optional<double>& value, int decimals) {
+  return value ? fixed(*value, decimals) : dash;
+}
+
+// W can end in one half.
+std::string rank_sum(double w) { return fixed(w, w == std::floor(w) ? 0 : 1); }
+
+std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
+
+std::string percent_interval(const Interval& shares) {
+  return fixed(100 * shares.lower, 0) + " to " + fixed(100 * shares.upper, 0) + " %";
+}
+
+std::string target_words(const Dataset& data, int task, int target) {
+  return target < 0 ? "all" : item(item(data.tasks, task).targets, target);
+}
+
+std::string pair_name(const Dataset& data, int a, int b) {
+  return item(data.interfaces, a) + " − " + item(data.interfaces, b);
+}
+
+Html wide(const HtmlTable& table) {
+  return table.rows.empty() ? Html{} : element("div", {{"class", "wide"}}, render(table));
+}
+
+Html note(const std::string& sentence) { return element("p", {{"class", "note"}}, text(sentence)); }
+
+std::string of_task(const Dataset& data, int task) {
+  return data.tasks.size() > 1 ? capitalised(item(data.tasks, task).name) + ": " : "";
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,25 @@
+// The sections of a report, each in the file of its name (section.h says what one is).
+#pragma once
+
+#include "analysis/report/section.h"
+
+namespace promenade::analysis {
+
+Section comparisons_section(const Results& results);   // one value per participant
+Section descriptives_section(const Results& results);  // each interface by itself
+Section omnibus_section(const Results& results);       // all interfaces at once
+Section targets_section(const Results& results);       // target by target
+Section pooled_section(const Results& results);        // all trials, as papers print them
+Section failures_section(const Results& results);
+Section guesses_section(const Results& results);  // first guesses that were right
+Section times_section(const Results& results);
+Section preference_section(const Results& results);
+Section questionnaires_section(const Results& results);
+Section reach_section(const Results& results);        // what each interface can reach at all
+Section sensitivity_section(const Results& results);  // with and without
+Section order_section(const Results& results);
+Section quality_section(const Results& results);
+Section deviations_section(const Results& results);  // from the plan
+Section methods_section(const Results& results);     // what a paper would say, and citations
+
+}  // namespace promenade::analysis

@@ -1,0 +1,181 @@
+// The sections that test something, on whole databases.
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <cmath>
+
+#include "analysis/report/comparison_table.h"
+#include "analysis/report/report_sections.h"
+#include "tests/analysis/toy_log.h"
+
+namespace promenade::analysis {
+namespace {
+
+Results results_of(const TestFolder& folder) { return compute_results({folder.file("a.db")}, {}); }
+
+// weights is slower than labels by 10 s and "mixer" faster by 5 + i s, i = 1..people.
+void fill_three(const TestFolder& folder, int people, const std::string& outcome = "success") {
+  ToyLog log(folder.file("a.db"));
+  for (int i = 1; i <= people; ++i) {
+    log.session({"P" + std::to_string(i)});
+    log.trial({"labels", "happy", 20.0 + i, 0.03 + 0.001 * i, outcome});
+    log.trial({"weights", "happy", 30.0 + i, 0.02, outcome});
+    log.trial({"mixer", "happy", 15, 0.04, outcome});
+  }
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
+    const bool begins = at == 0 || std::isalpha(static_cast<unsigned char>(text[at - 1])) == 0;
+    const std::size_t end = at + word.size();
+    const bool ends =
+        end == text.size() || std::isalpha(static_cast<unsigned char>(text[end])) == 0;
+    if (begins && ends) return true;
+  }
+  return false;
+}
+
+void expect_numbers(const Results& results) {
+  for (const Section& section : sections_of(results)) {
+    std::string all = section.html.code + section.json.dump();
+    for (const Table& table : section.tables) all += to_csv(table);
+    EXPECT_FALSE(has_word(all, "nan")) << section.title;
+    EXPECT_FALSE(has_word(all, "inf")) << section.title;
+    EXPECT_TRUE(section.title.empty() || !section.html.code.empty()) << section.title;
+  }
+}
+
+TEST(Sections, HoldForFewPeopleTiesAndThreeInterfaces) {
+  for (const int people : {1, 2, 6, 13}) {
+    for (const char* outcome : {"success", "timeout"}) {
+      const TestFolder folder;
+      fill_three(folder, people, outcome);
+      expect_numbers(results_of(folder));
+    }
+  }
+}
+
+TEST(Sections, HoldForOneInterface) {
+  const TestFolder folder;
+  { ToyLog(folder.file("a.db")).session({}).trial({}); }
+  const Results results = results_of(folder);
+  expect_numbers(results);
+  EXPECT_NE(comparisons_section(results).html.code.find("Only one interface"), std::string::npos);
+  EXPECT_TRUE(omnibus_section(results).title.empty());
+  EXPECT_TRUE(preference_section(results).title.empty());
+}
+
+TEST(Sections, HoldWhereNobodyUsedBothInterfaces) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P1"}).trial({"labels"}).session({"P2"}).trial({"weights"});
+  }
+  expect_numbers(results_of(folder));
+}
+
+// Everyone ranks the three alike: chi-square = n (k - 1) = 12, p = 6 / 6^6 exactly.
+TEST(OmnibusSection, HasTheExactTestOfThreeInterfaces) {
+  const TestFolder folder;
+  fill_three(folder, 6);
+  const nlohmann::json json = omnibus_section(results_of(folder)).json;
+  for (const auto& row : json["friedman"]) {
+    if (row["measure"] != "time_s") continue;
+    EXPECT_NEAR(row["chi2"], 12, 1e-12);
+    EXPECT_NEAR(row["p_exact"], std::pow(6.0, -5), 1e-15);
+    EXPECT_NEAR(row["kendall_w"], 1, 1e-12);
+  }
+  EXPECT_EQ(json["friedman_pairs"].size() % 3, 0u);
+  EXPECT_GT(json["friedman_pairs"].size(), 0u);
+}
+
+// The convention of [O] stands beside the exact p: six times the same, z = 10.5 / sqrt(6) 1.75.
+TEST(TargetsSection, PrintsTheNormalPBesideTheExactOne) {
+  const TestFolder folder;
+  fill_three(folder, 6);
+  const std::string html = targets_section(results_of(folder)).html.code;
+  EXPECT_NE(html.find("<th scope=\"col\" class=\"right\">exact p</th>"), std::string::npos);
+  EXPECT_NE(html.find("without continuity correction"), std::string::npos);
+  EXPECT_NE(html.find("<td>.031</td>"), std::string::npos) << "2/64";
+  EXPECT_NE(html.find("<td>.094</td>"), std::string::npos) << "Holm over three";
+  EXPECT_NE(html.find("<td>.014</td>"), std::string::npos) << "normal, all tied";
+  EXPECT_NE(html.find("up to 3 tests"), std::string::npos);
+}
+
+Comparison many_pooled(std::size_t n) {
+  std::vector<std::optional<double>> a, b;
+  for (std::size_t i = 1; i <= n; ++i) {
+    a.push_back(i % 3 == 0 ? -1.0 * static_cast<double>(i) : static_cast<double>(i));
+    b.push_back(0);
+  }
+  Comparison place;
+  place.pooling = Pooling::trials;
+  return compare_pairs(place, {a, b})[0];
+}
+
+TEST(ComparisonTable, SaysWhereTheNormalPStandsForTheExactOneAndWhy) {
+  Results results;
+  results.data.interfaces = {"a", "b"};
+  results.comparisons = {many_pooled(pooled_limit)};
+  EXPECT_EQ(family_note(results, Pooling::trials).code.find("(normal)"), std::string::npos);
+  results.comparisons = {many_pooled(pooled_limit + 1)};
+  EXPECT_NE(family_note(results, Pooling::trials).code.find("exact up to 1000"), std::string::npos);
+  const std::vector<std::string> cells =
+      test_cells({"time_s", "time", "s", "s", 1, 1}, results.comparisons[0]);
+  EXPECT_EQ(cells[5], "< .001 (normal)");
+}
+
+TEST(FailuresSection, SaysThatNobodyFailed) {
+  const TestFolder folder;
+  fill_three(folder, 3);
+  EXPECT_NE(failures_section(results_of(folder)).html.code.find("Nobody failed"),
+            std::string::npos);
+}
+
+TEST(TimesSection, SaysThatTrialsOfAPersonAreNotIndependent) {
+  const TestFolder folder;
+  fill_three(folder, 3);
+  const Section section = times_section(results_of(folder));
+  EXPECT_NE(section.html.code.find("Trials of one person are not independent"), std::string::npos);
+  EXPECT_EQ(section.json["times"].size(), 3u);
+  EXPECT_EQ(section.json["log_rank"].size(), 4u) << "all, and three pairs";
+}
+
+TEST(GuessesSection, CountsWhatWasBelowTheThreshold) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.database().exec(
+        "UPDATE study SET config_text = '[[task]]' || char(10) || 'name = \"match\"' || char(10) "
+        "|| 'kind = \"guess\"'");
+    for (int i = 0; i < 4; ++i) {
+      log.session({"P" + std::to_string(i)});
+      log.trial({.d_final = i == 0 ? 0.02 : 0.09, .threshold_m = 0.06});
+    }
+  }
+  const Section section = guesses_section(results_of(folder));
+  EXPECT_EQ(section.json["guesses"][0]["right"], 1);
+  EXPECT_EQ(section.json["guesses"][0]["ratio"], 0.25);
+  // Clopper-Pearson below: the p with 1 - (1-p)^4 = .025.
+  EXPECT_NEAR(section.json["guesses"][0]["clopper_pearson_lower"], 1 - std::pow(0.975, 0.25),
+              1e-12);
+}
+
+TEST(MethodsSection, NamesWhatWasUsedAndNothingElse) {
+  const TestFolder folder;
+  fill_three(folder, 6);
+  const nlohmann::json json = methods_section(results_of(folder)).json;
+  const std::string draft = json["methods"].dump();
+  for (const char* words : {"6 people took part", "3 interfaces were compared", "Friedman",
+                            "over the 3 pairs", "at most 60 s", "Promenade 0.1.0"}) {
+    EXPECT_NE(draft.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(draft.find("Preferences"), std::string::npos) << "nobody was asked";
+  EXPECT_EQ(draft.find("McNemar"), std::string::npos) << "nobody failed";
+  const std::string works = json["references"].dump();
+  EXPECT_NE(works.find("F. Wilcoxon (1945)"), std::string::npos);
+  EXPECT_EQ(works.find("McNemar (1947)"), std::string::npos) << "nobody failed";
+}
+
+}  // namespace
+}  // namespace promenade::analysis
