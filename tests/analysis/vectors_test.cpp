@@ -44,6 +44,8 @@ TEST(Vectors, GiveEveryCaseAnEntryAndNameWhatTheyCannotDo) {
 
 TEST(Vectors, SayWhereAFileIsNoJson) {
   EXPECT_EQ(message_of("{\n \"families\": {,}\n}"), "v.json:2:15: error: is not JSON here");
+  EXPECT_EQ(message_of("[1e999, -2e999, }"), "v.json:1:17: error: is not JSON here");
+  EXPECT_EQ(message_of("[\n1e999"), "v.json:2:6: error: is not JSON here");
   EXPECT_NE(message_of(""), "");
   EXPECT_NE(message_of("[1, 2"), "");
 }
