@@ -97,12 +97,14 @@ TEST(Vectors, CutATreeOnlyWhereThereAreLeavesEnough) {
 TEST(Vectors, TakeOneLeafAndRefuseWhatASumOrSquareCannotHold) {
   const Json results = run(R"({"families": {
       "ward": [{"id": "one", "input": {"points": [[1, 2]]}},
-               {"id": "far", "input": {"points": [[1e300], [0], [1]]}}],
+               {"id": "far", "input": {"points": [[1e308], [1e308], [1e308]]}},
+               {"id": "away", "input": {"dist": [[0, 1e300], [1e300, 0]]}}],
       "sign_test": [{"id": "many", "input": {"n_pos": 2147483647, "n_neg": 3}}]}})");
   EXPECT_EQ(results["one"]["n"], 1);
   EXPECT_TRUE(results["one"]["cophenetic_correlation"].is_null());
-  EXPECT_EQ(results["far"]["error"],
-            "the input holds a distance above 1e150, whose square is no number");
+  const std::string message = "the input holds a number above 1e150, whose square is out of range";
+  EXPECT_EQ(results["far"]["error"], message);
+  EXPECT_EQ(results["away"]["error"], message);
   EXPECT_EQ(results["many"]["error"], "input.n_pos is not a whole number from 0 to a billion");
 }
 
