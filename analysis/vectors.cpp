@@ -65,8 +65,23 @@ std::size_t end_of_huge_number(std::string_view text) {
 }
 
 // The same document with such numbers as texts, which the cases that hold them refuse.
-std::string with_huge_numbers_quoted(std::string_view text) {
-  std::string result;
+struct Quoted {
+  std::string text;
+  std::vector<std::size_t> quotes;  // where in it one was added
+
+  // Where a byte of it, counted from 1, was before.
+  std::size_t before(std::size_t byte) const {
+    const auto added = std::lower_bound(quotes.begin(), quotes.end(), byte);
+    return byte - static_cast<std::size_t>(added - quotes.begin());
+  }
+};
+
+Quoted with_huge_numbers_quoted(std::string_view text) {
+  Quoted result;
+  const auto quote = [&result] {
+    result.quotes.push_back(result.text.size());
+    result.text += '"';
+  };
   bool in_text = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char letter = text[i];
@@ -74,14 +89,27 @@ std::string with_huge_numbers_quoted(std::string_view text) {
     const std::size_t end = !in_text && begins_number ? end_of_huge_number(text.substr(i)) : 0;
     if (letter == '"') in_text = !in_text;
     if (end > 0) {
-      result += '"' + std::string(text.substr(i, end)) + '"';
+      quote();
+      result.text += text.substr(i, end);
+      quote();
       i += end - 1;
       continue;
     }
-    result += letter;
-    if (in_text && letter == '\\' && i + 1 < text.size()) result += text[++i];
+    result.text += letter;
+    if (in_text && letter == '\\' && i + 1 < text.size()) result.text += text[++i];
   }
   return result;
+}
+
+Json parse_quoted(const std::string& file, std::string_view text) {
+  const Quoted quoted = with_huge_numbers_quoted(text);
+  try {
+    return Json::parse(quoted.text);
+  } catch (const Json::exception& error) {
+    const auto* where = dynamic_cast<const Json::parse_error*>(&error);
+    const std::size_t byte = where ? quoted.before(where->byte) : 1;
+    throw InputError({problem_at(file, text, byte, "is not JSON here")});
+  }
 }
 
 Json parse(const std::string& file, std::string_view text) {
@@ -90,7 +118,7 @@ Json parse(const std::string& file, std::string_view text) {
   } catch (const Json::parse_error& error) {
     throw InputError({problem_at(file, text, error.byte, "is not JSON here")});
   } catch (const Json::out_of_range&) {
-    return Json::parse(with_huge_numbers_quoted(text));
+    return parse_quoted(file, text);
   }
 }
 

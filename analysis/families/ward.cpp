@@ -28,17 +28,19 @@ void put_merges(Json& result, const motion::Dendrogram& tree) {
   result["merged_members"] = motion::merged_leaves(tree);
 }
 
-// Clusters of clusters have squares of sums of these.
-constexpr double largest_distance = 1e150;
+// Centroids are sums of coordinates, and heights squares of distances.
+void require_squares(const Eigen::MatrixXd& values) {
+  if (values.cwiseAbs().maxCoeff() > 1e150) {
+    throw CaseError("the input holds a number above 1e150, whose square is out of range");
+  }
+}
 
 Eigen::MatrixXd distances_in(const Json& input) {
-  Eigen::MatrixXd distances = input.contains("points")
-                                  ? motion::euclidean_distances(table(input, "points").transpose())
-                                  : distance_table(input, "dist");
-  if (!(distances.maxCoeff() <= largest_distance)) {
-    throw CaseError("the input holds a distance above 1e150, whose square is no number");
-  }
-  return distances;
+  const bool points = input.contains("points");
+  const Eigen::MatrixXd values =
+      points ? table(input, "points").transpose() : distance_table(input, "dist");
+  require_squares(values);
+  return points ? motion::euclidean_distances(values) : values;
 }
 
 // Of one leaf there is no pair to correlate.

@@ -44,6 +44,8 @@ TEST(Vectors, GiveEveryCaseAnEntryAndNameWhatTheyCannotDo) {
 
 TEST(Vectors, SayWhereAFileIsNoJson) {
   EXPECT_EQ(message_of("{\n \"families\": {,}\n}"), "v.json:2:15: error: is not JSON here");
+  EXPECT_EQ(message_of("[1e999, -2e999, }"), "v.json:1:17: error: is not JSON here");
+  EXPECT_EQ(message_of("[\n1e999"), "v.json:2:6: error: is not JSON here");
   EXPECT_NE(message_of(""), "");
   EXPECT_NE(message_of("[1, 2"), "");
 }
@@ -95,12 +97,14 @@ TEST(Vectors, CutATreeOnlyWhereThereAreLeavesEnough) {
 TEST(Vectors, TakeOneLeafAndRefuseWhatASumOrSquareCannotHold) {
   const Json results = run(R"({"families": {
       "ward": [{"id": "one", "input": {"points": [[1, 2]]}},
-               {"id": "far", "input": {"points": [[1e300], [0], [1]]}}],
+               {"id": "far", "input": {"points": [[1e308], [1e308], [1e308]]}},
+               {"id": "away", "input": {"dist": [[0, 1e300], [1e300, 0]]}}],
       "sign_test": [{"id": "many", "input": {"n_pos": 2147483647, "n_neg": 3}}]}})");
   EXPECT_EQ(results["one"]["n"], 1);
   EXPECT_TRUE(results["one"]["cophenetic_correlation"].is_null());
-  EXPECT_EQ(results["far"]["error"],
-            "the input holds a distance above 1e150, whose square is no number");
+  const std::string message = "the input holds a number above 1e150, whose square is out of range";
+  EXPECT_EQ(results["far"]["error"], message);
+  EXPECT_EQ(results["away"]["error"], message);
   EXPECT_EQ(results["many"]["error"], "input.n_pos is not a whole number from 0 to a billion");
 }
 
