@@ -91,7 +91,7 @@ struct LoggedVersion {
   int sessions = 0, finished = 0, trials = 0;  // rows taken, simulated ones and pilots included
   // SHA-256 of the preregistration that it names, and of its text without that name
   // (study/prereg_seal.h); `seal` is empty where it names none.
-  std::string seal, unsealed_sha256;
+  std::string seal = {}, unsealed_sha256 = {};
 };
 
 struct Log {

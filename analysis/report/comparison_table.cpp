@@ -67,7 +67,8 @@ std::vector<std::string> test_cells(const Measure& measure, const Comparison& on
           difference(measure, one)};
 }
 
-HtmlTable comparison_table(const Results& results, int task, Pooling pooling, std::string caption) {
+HtmlTable comparison_table(const Results& results, int task, Pooling pooling, std::string caption,
+                           bool process) {
   const Dataset& data = results.data;
   HtmlTable table;
   table.caption = of_task(data, task) + std::move(caption);
@@ -80,6 +81,7 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
   for (const Comparison& one : results.comparisons) {
     if (one.task != task || one.pooling != pooling) continue;
     const Measure& measure = item(data.measures, one.measure);
+    if ((measure.kind == MeasureKind::process) != process) continue;
     if (by_target && !is_in_spotlight(measure)) continue;
     std::vector<std::string> row = {measure.label};
     if (by_target) row.push_back(target_words(data, task, one.target));

@@ -10,7 +10,9 @@ namespace promenade::analysis {
 
 // The tests of a task at one level. With targets, only those of D and time, which a paper
 // would print; the others stand in the CSV.
-HtmlTable comparison_table(const Results& results, int task, Pooling pooling, std::string caption);
+// Only measures of the process, or only the others.
+HtmlTable comparison_table(const Results& results, int task, Pooling pooling, std::string caption,
+                           bool process = false);
 
 // "of, zeros, ...": the columns of one test, and its cells; differences are read as `measure`.
 const std::vector<std::string>& test_columns();

@@ -56,9 +56,10 @@ HtmlTable fact_table(const Results& results) {
 HtmlTable exclusion_table(const Selection& selection) {
   HtmlTable table;
   table.caption = "Participants excluded by the analyst.";
-  table.columns = {"code", "reason"};
+  table.columns = {"code", "reason", "rule", "decided on"};
   for (const Exclusion& one : selection.exclusions) {
-    table.rows.push_back({one.code, one.reason.empty() ? "not given" : one.reason});
+    const auto given = [](const std::string& text) { return text.empty() ? "not given" : text; };
+    table.rows.push_back({one.code, given(one.reason), given(one.rule), given(one.date)});
   }
   return table;
 }

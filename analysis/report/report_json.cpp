@@ -172,6 +172,7 @@ std::string report_json(const Results& results, const std::vector<Section>& sect
                {"trials", {{"analysed", data.trials.size()}, {"missing", data.left_out_trials}}},
                {"sentences", sentences_json(results)},
                {"caveats", caveats(results)},
+               {"exclusions", Json::array()},
                {"wilcoxon", Json::array()},
                {"failures", Json::array()},
                {"summaries", Json::array()}};
@@ -183,6 +184,10 @@ std::string report_json(const Results& results, const std::vector<Section>& sect
   }
   for (const Summary& one : results.summaries) {
     json["summaries"].push_back(summary_json(data, one));
+  }
+  for (const Exclusion& one : results.selection.exclusions) {
+    json["exclusions"].push_back(
+        {{"code", one.code}, {"reason", one.reason}, {"rule", one.rule}, {"date", one.date}});
   }
   for (const Section& section : sections) json.update(section.json);
   // Codes and names may hold bytes that are no UTF-8.

@@ -6,6 +6,7 @@
 namespace promenade::analysis {
 
 Section comparisons_section(const Results& results);   // one value per participant
+Section process_section(const Results& results);       // the same of how people worked
 Section descriptives_section(const Results& results);  // each interface by itself
 Section omnibus_section(const Results& results);       // all interfaces at once
 Section targets_section(const Results& results);       // target by target

@@ -15,6 +15,7 @@ std::vector<Section> sections_of(const Results& results) {
       preference_section(results),      //
       questionnaires_section(results),  //
       targets_section(results),         //
+      process_section(results),         //
       reach_section(results),           //
       pooled_section(results),          //
       sensitivity_section(results),     //

@@ -137,6 +137,36 @@ TEST(Exclusions, AreReadAsSpreadsheetsWriteThem) {
   EXPECT_EQ(list[1].line, 4);
 }
 
+TEST(Exclusions, HaveTheColumnsThatAHeadingNames) {
+  const auto list =
+      parse_exclusions("x.csv",
+                       "date,code,rule,reason\n2026-11-29,P1,flagged,\"slept, left\"\n"
+                       ",P2\n");
+  ASSERT_EQ(list.size(), 2u);
+  EXPECT_EQ(list[0].code, "P1");
+  EXPECT_EQ(list[0].reason, "slept, left");
+  EXPECT_EQ(list[0].rule, "flagged");
+  EXPECT_EQ(list[0].date, "2026-11-29");
+  EXPECT_EQ(list[1].code, "P2");
+  EXPECT_EQ(list[1].date, "");
+}
+
+TEST(Exclusions, NameWhatIsWrongWithAHeadingOrADate) {
+  const auto problem = [](const char* text) {
+    try {
+      parse_exclusions("x.csv", text);
+    } catch (const InputError& error) {
+      return error.problems().at(0).message;
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(problem("code,reasn\nP1,a\n"), "no such column: \"reasn\"; did you mean \"reason\"?");
+  EXPECT_EQ(problem("code,date,code\n"), "the column \"code\" stands here twice");
+  EXPECT_EQ(problem("code,date\nP1,29.11.2026\n"), "want a date as 2026-11-29 here");
+  EXPECT_EQ(problem("code,date\nP1,2026-11-29,x\n"), "want CODE,DATE here");
+  EXPECT_EQ(problem("code,date\n,2026-11-29\n"), "want CODE,DATE here");
+}
+
 TEST(Exclusions, NameEveryWrongLine) {
   try {
     parse_exclusions("x.csv", ",reason\nP1,a,b\nP2\n");

@@ -29,8 +29,8 @@ TEST(PreregSeal, MayBeTheLastLineWithoutAnEnd) {
 }
 
 TEST(PreregSeal, IsNotThereWhereNothingIsNamed) {
-  for (const std::string& other : {unsealed, "", "[study", "[task]\nprereg = \"x\"\n",
-                                   "# prereg = \"x\"\n[study]\nprereg = 3\n"}) {
+  for (const std::string other : {unsealed, "", "[study", "[task]\nprereg = \"x\"\n",
+                                  "# prereg = \"x\"\n[study]\nprereg = 3\n"}) {
     EXPECT_EQ(prereg_file_in(other), "") << other;
     EXPECT_EQ(without_seal(other), other);
   }
