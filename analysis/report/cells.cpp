@@ -73,7 +73,7 @@ std::string target_words(const Dataset& data, int task, int target) {
 }
 
 std::string pair_name(const Dataset& data, int a, int b) {
-  return item(data.interfaces, a) + "\u00a0−\u00a0" + item(data.interfaces, b);
+  return item(data.interfaces, a) + " −\u00a0" + item(data.interfaces, b);
 }
 
 Html wide(const HtmlTable& table) {

@@ -165,7 +165,7 @@ Html triangle(const Results& results, const Spotlight& spot, const std::string& 
   const int k = size_of(names);
   Html head = element("td", {{"class", "none"}}, {});
   for (int b = 1; b < k; ++b)
-    head += element("th", {{"scope", "col"}}, text("−\u00a0" + item(names, b)));
+    head += element("th", {{"scope", "col"}}, text("− " + item(names, b)));
   Html rows = element("tr", head);
   std::size_t next = 0;
   for (int a = 0; a + 1 < k; ++a) {
