@@ -18,7 +18,7 @@ h1 { font-size: 28px; line-height: 1.28; font-weight: 600; margin: 0 0 10px; max
 h2 { font-size: 22px; margin: 44px 0 8px; border-bottom: 2px solid var(--ink); padding-bottom: 4px; }
 h3, .panel h2 { font-size: 17px; margin: 0 0 10px; }
 .panel h2 { border: 0; padding: 0; }
-p { max-width: 82ch; }
+p, li { max-width: 82ch; overflow-wrap: break-word; }
 .second { font-size: 19px; margin: 0 0 8px; max-width: 80ch; }
 .caveat { border-left: 4px solid var(--ink); padding: 2px 0 2px 12px; margin: 8px 0; }
 .flow { margin: 20px 0 26px; }
