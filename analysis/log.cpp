@@ -49,10 +49,11 @@ constexpr const char* tombstone_query =
     "SELECT participant FROM tombstone WHERE removed = 'everything' ORDER BY participant";
 constexpr const char* roster_query =
     "SELECT code, station, sequence, state, coalesce(replaces, '') FROM roster ORDER BY code";
+// A choice has its name beside its place: it is counted, its place is no amount.
 constexpr const char* answer_query =
-    "SELECT trial, item, value FROM answer "
+    "SELECT trial, item, value, instrument FROM answer "
     "WHERE trial IS NOT NULL AND value IS NOT NULL AND declined = 0 AND touched = 1 "
-    "ORDER BY trial, t_us, item";
+    "AND coalesce(text, '') = '' ORDER BY trial, t_us, item";
 
 // Nothing that is measured comes near it; squares and sums of what does would be infinite.
 constexpr double largest_value = 1e100;
@@ -121,6 +122,7 @@ class Reader {
   }
 
   Log take() {
+    tell_items_apart();
     count_versions();
     count_removed();
     return std::move(log_);
@@ -293,7 +295,21 @@ class Reader {
       const auto value = real(row, 2, log_.not_finite);
       if (!value) continue;
       log_.answers.push_back({trial->second, row.text(1), value});
+      instruments_.push_back(row.text(3));
       ++log_.files.back().answers;
+    }
+  }
+
+  // Two instruments may ask an item of one name after trials: these are two measures.
+  void tell_items_apart() {
+    std::map<std::string, std::set<std::string>> askers;
+    for (int i = 0; i < size_of(log_.answers); ++i) {
+      askers[item(log_.answers, i).item].insert(item(instruments_, i));
+    }
+    for (int i = 0; i < size_of(log_.answers); ++i) {
+      std::string& name = item(log_.answers, i).item;
+      const std::string& instrument = item(instruments_, i);
+      if (askers[name].size() > 1 && instrument != "rating") name = instrument + "." + name;
     }
   }
 
@@ -314,6 +330,7 @@ class Reader {
   }
 
   Log log_;
+  std::vector<std::string> instruments_;   // of the answers
   std::map<std::string, int> session_of_;  // uuid to index
   std::map<std::string, int> trial_of_;
   std::set<std::string> removed_;  // uuids of people

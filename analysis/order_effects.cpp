@@ -183,6 +183,20 @@ class Maker {
     made_.sentences.push_back(capitalised(sentence));
   }
 
+  // How many interfaces the task was for: an order has as many places.
+  int interfaces_in(int task) const {
+    int used = 0;
+    for (const TurnCount& count : made_.turn_counts) {
+      used += count.task == task && is_used(count) ? 1 : 0;
+    }
+    return used;
+  }
+
+  bool is_used(const TurnCount& count) const {
+    return std::any_of(count.at_turn.begin(), count.at_turn.end(),
+                       [](int people) { return people > 0; });
+  }
+
   // The smallest and the largest of all counts of a task, and whose they are.
   struct Spread {
     int least = 0, least_at = 0;
@@ -191,10 +205,12 @@ class Maker {
   };
   Spread spread_in(int task) const {
     Spread spread;
+    const int turns = interfaces_in(task);
     for (const TurnCount& count : made_.turn_counts) {
-      if (count.task != task) continue;
+      if (count.task != task || !is_used(count)) continue;
       int places = 0;
-      for (const int people : count.at_turn) {
+      for (int turn = 0; turn < turns; ++turn) {
+        const int people = item(count.at_turn, turn);
         const bool first = spread.most < 0;
         if (first || people < spread.least)
           spread.least = people, spread.least_at = count.interface;
@@ -207,13 +223,15 @@ class Maker {
   }
 
   std::string balance_in(int task) const {
-    if (data_.interfaces.size() < 2) return "there is one interface, and so no order to balance.";
+    const int interfaces = interfaces_in(task);
+    if (interfaces < 2) return "there is one interface, and so no order to balance.";
+    if (data_.people.size() == 1) return "one person has one order: there is nothing to balance.";
     const Spread spread = spread_in(task);
-    if (data_.people.size() > 1 && spread.fixed) {
+    if (spread.fixed) {
       return "everybody had the interfaces in the same order: what comes from learning, and what "
              "from the interface, cannot be told apart.";
     }
-    const bool uneven = data_.people.size() % data_.interfaces.size() != 0;
+    const bool uneven = size_of(data_.people) % interfaces != 0;
     if (uneven && spread.most - spread.least == 1) {
       return fmt::format(
           "the orders are as balanced as {} people allow: each interface stood {} or {} times at "
@@ -232,9 +250,13 @@ class Maker {
   }
 
   std::string successions_in(int task) const {
-    std::set<int> counts;
+    std::set<int> used, counts;
+    for (const TurnCount& count : made_.turn_counts) {
+      if (count.task == task && is_used(count)) used.insert(count.interface);
+    }
     for (const SuccessionCount& one : made_.successions) {
-      if (one.task == task) counts.insert(one.people);
+      const bool both = used.count(one.previous) > 0 && used.count(one.interface) > 0;
+      if (one.task == task && both) counts.insert(one.people);
     }
     if (counts.size() <= 1) {
       return "the orders are balanced: each interface stood equally often at each place, and "

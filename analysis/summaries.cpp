@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/failure_tests.h"
 #include "analysis/item.h"
 #include "analysis/statistics/median.h"
 #include "analysis/statistics/proportion.h"
@@ -93,6 +94,7 @@ std::vector<TargetSummary> summaries_in(const Dataset& data, int measure, int ta
 std::vector<FailureRatio> failure_ratios(const Dataset& data) {
   std::vector<FailureRatio> ratios;
   for (int task = 0; task < size_of(data.tasks); ++task) {
+    if (!can_fail(data, task)) continue;
     const auto& targets = item(data.tasks, task).targets;
     for (int target = -1; target < size_of(targets); ++target) {
       for (int i = 0; i < size_of(data.interfaces); ++i) {

@@ -67,6 +67,15 @@ std::vector<std::string> test_cells(const Measure& measure, const Comparison& on
           difference(measure, one)};
 }
 
+bool is_possible(const Results& results, int measure, const Comparison& one) {
+  if (one.test.n > 0) return true;
+  int used = 0;
+  for (const Summary* summary : results.summaries_of(measure, one.task)) {
+    used += summary->interface == one.a || summary->interface == one.b ? 1 : 0;
+  }
+  return used == 2;
+}
+
 HtmlTable comparison_table(const Results& results, int task, Pooling pooling, std::string caption,
                            bool process) {
   const Dataset& data = results.data;
@@ -82,6 +91,7 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
     if (one.task != task || one.pooling != pooling) continue;
     const Measure& measure = item(data.measures, one.measure);
     if ((measure.kind == MeasureKind::process) != process) continue;
+    if (!is_possible(results, one.measure, one)) continue;
     if (by_target && !is_in_spotlight(measure)) continue;
     std::vector<std::string> row = {measure.label};
     if (by_target) row.push_back(target_words(data, task, one.target));

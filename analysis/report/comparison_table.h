@@ -18,6 +18,9 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
 const std::vector<std::string>& test_columns();
 std::vector<std::string> test_cells(const Measure& measure, const Comparison& one);
 
+// Could anybody have had both values? Not where a task was not for one of the interfaces.
+bool is_possible(const Results& results, int measure, const Comparison& one);
+
 // What Holm's family is, and where a normal p stands in place of an exact one and why.
 Html family_note(const Results& results, Pooling pooling);
 

@@ -57,7 +57,7 @@ HtmlTable share_table(const Results& results, int task) {
   table.columns = {"a − b"};
   table.columns.insert(table.columns.end(), test_columns().begin(), test_columns().end());
   for (const Comparison& one : results.failure_tests.shares) {
-    if (one.task != task) continue;
+    if (one.task != task || !is_possible(results, data.measure("time_s"), one)) continue;
     std::vector<std::string> row = {pair_name(data, one.a, one.b)};
     for (std::string& cell : test_cells(share_measure(), one)) row.push_back(std::move(cell));
     table.rows.push_back(std::move(row));
@@ -127,6 +127,15 @@ Html tests_of(const Results& results, int task) {
          wide(pair_table(results, task));
 }
 
+Html failures_in(const Results& results, int task) {
+  if (!can_fail(results.data, task)) {
+    return element("p", of_task(results.data, task) +
+                            "No trial failed, and no time limit or threshold held for all of "
+                            "them: there are no shares of failures.");
+  }
+  return wide(ratio_table(results, task)) + tests_of(results, task);
+}
+
 Table share_rows(const Results& results) {
   const Dataset& data = results.data;
   Table table{
@@ -194,11 +203,13 @@ Section failures_section(const Results& results) {
   Section section;
   section.title = "Failures";
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(ratio_table(results, task)) + tests_of(results, task);
+    section.html += failures_in(results, task);
   }
-  section.html += note(
-      "Who tried a target more than once with an interface counts with the first trial in the "
-      "tests of one target, and with all of them in the share.");
+  if (!results.failures.empty()) {
+    section.html += note(
+        "Who tried a target more than once with an interface counts with the first trial in the "
+        "tests of one target, and with all of them in the share.");
+  }
   section.tables = {share_rows(results), pair_rows(results), omnibus_rows(results)};
   for (const Table& table : section.tables) section.json[table.name] = json_rows(table);
   return section;

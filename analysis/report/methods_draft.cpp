@@ -100,19 +100,31 @@ std::string measures(const Results& results) {
   const bool limited = std::any_of(tasks.begin(), tasks.end(),
                                    [](const Task& task) { return task.limit_s.has_value(); });
   text += limited ? " and is restricted to the time limit." : ".";
+  if (results.failures.empty()) return text;
   return text + " A trial failed when it ran out of time or was ended with D above the threshold.";
 }
 
+// How many tests were adjusted together: tasks may have different interfaces.
+std::string family_in_words(const Results& results) {
+  int least = 0, most = 0;
+  for (const Comparison& one : results.comparisons) {
+    if (one.pooling != Pooling::participants || one.family == 0) continue;
+    least = least == 0 ? one.family : std::min(least, one.family);
+    most = std::max(most, one.family);
+  }
+  if (least == most) return "the " + count_of(most, "pair", "pairs");
+  return fmt::format("the pairs (up to {})", most);
+}
+
 std::string tests_of_pairs(const Results& results) {
-  const int k = size_of(results.data.interfaces);
   return fmt::format(
       "For each participant and interface the mean over the targets of a task was taken. Pairs of "
       "interfaces were compared by two-sided Wilcoxon signed-rank tests with p from the exact "
       "conditional distribution given the ranks (zeros dropped, ties by midranks). We report the "
       "matched-pairs rank-biserial correlation and the Hodges-Lehmann estimate of the difference "
-      "with 95 % confidence intervals. p values were adjusted by Holm’s method over the {} of one "
+      "with 95 % confidence intervals. p values were adjusted by Holm’s method over {} of one "
       "measure in one task; measures were not adjusted for each other.",
-      count_of(k * (k - 1) / 2, "pair", "pairs"));
+      family_in_words(results));
 }
 
 std::string other_tests(const Results& results) {

@@ -147,13 +147,19 @@ Html dot_chart(const Results& results, const Spotlight& spot) {
   return html + axis_strip(measure, axis);
 }
 
+// In place of a p that no test could have made small.
+std::string too_few(const SignedRankTest& test) {
+  if (test.n_zero == test.n && test.n > 1) return fmt::format("n = {}, all equal", test.n);
+  if (test.n_zero == 0) return fmt::format("n = {}, too few", test.n);
+  return fmt::format("n = {}, {} differ: too few", test.n, test.n - test.n_zero);
+}
+
 Html pair_cell(const Measure& measure, const Comparison& pair) {
   if (!pair.hl) return element("td", {{"class", "ns"}}, text("no data"));
   const bool many = pair.test.n - pair.test.n_zero >= 6;
   return element("td", {{"class", is_significant(pair) ? "sig" : "ns"}},
                  text(with_unit(measure, *pair.hl)) +
-                     element("span", many ? "p " + p_text(*pair.p_holm)
-                                          : fmt::format("n = {}, too few", pair.test.n)) +
+                     element("span", many ? "p " + p_text(*pair.p_holm) : too_few(pair.test)) +
                      (many ? element("span", fmt::format("n = {}", pair.test.n)) : Html{}));
 }
 
@@ -184,7 +190,7 @@ Html panel(const Results& results, const Spotlight& spot) {
       results.data.tasks.size() > 1 ? ", task " + item(results.data.tasks, spot.task).name : "";
   Html right;
   if (results.data.interfaces.size() > 1) {
-    const int pairs = size_of(results.pairs(spot.measure, spot.task));
+    const int pairs = results.pairs(spot.measure, spot.task)[0]->family;
     const std::string family = pairs > 1 ? fmt::format(" (Holm over {} pairs)", pairs) : "";
     right = triangle(results, spot, "Difference, row − column, and exact p" + family) +
             element("p", {{"class", "note"}},

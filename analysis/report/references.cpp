@@ -76,18 +76,22 @@ References of_failures() {
   };
 }
 
-References of_times() {
-  return {
+References of_times(bool pairs) {
+  References list = {
       {"curves of censored times",
        "E. L. Kaplan, P. Meier (1958). Nonparametric estimation from incomplete observations. "
        "Journal of the American Statistical Association 53, 457-481."},
       {"the interval of their median",
        "R. Brookmeyer, J. Crowley (1982). A confidence interval for the median survival time. "
        "Biometrics 38, 29-41."},
-      {"the log-rank test",
-       "N. Mantel (1966). Evaluation of survival data and two new rank order statistics arising "
-       "in its consideration. Cancer Chemotherapy Reports 50, 163-170."},
   };
+  if (pairs) {
+    list.push_back(
+        {"the log-rank test",
+         "N. Mantel (1966). Evaluation of survival data and two new rank order statistics arising "
+         "in its consideration. Cancer Chemotherapy Reports 50, 163-170."});
+  }
+  return list;
 }
 
 }  // namespace
@@ -100,7 +104,8 @@ bool tests_failures(const Results& results) {
 
 std::vector<Reference> references_of(const Results& results) {
   const bool pairs = results.data.interfaces.size() > 1;
-  References list = of_proportions();
+  References list;
+  if (!results.failures.empty() || results.preference.n > 0) list = of_proportions();
   list.push_back({"the interval of a median",
                   "W. R. Thompson (1936). On confidence ranges for the median and other "
                   "expectation distributions for populations of unknown distribution form. Annals "
@@ -108,7 +113,7 @@ std::vector<Reference> references_of(const Results& results) {
   if (pairs) add(list, of_pairs());
   if (!results.omnibus.empty()) add(list, of_omnibus());
   if (tests_failures(results)) add(list, of_failures());
-  if (!results.times.empty()) add(list, of_times());
+  if (!results.times.empty()) add(list, of_times(pairs));
   // By surname, which follows the first initials.
   const auto surname = [](const Reference& one) {
     const std::string names = one.text.substr(0, one.text.find_first_of(",("));

@@ -23,8 +23,10 @@ std::string advantage(const Measure& measure, double amount) {
   return "answered " + much + " lower on “" + measure.label + "”";
 }
 
-std::string p_with_family(const Comparison& comparison, int pairs) {
+// The family is what was tested: pairs that nobody could have are not in it.
+std::string p_with_family(const Comparison& comparison) {
   const char* kind = comparison.test.exact ? "exact p" : "p";
+  const int pairs = comparison.family;
   if (pairs <= 1) return fmt::format("{} {}", kind, p_text(*comparison.p));
   return fmt::format("{} {}, Holm over {} pairs", kind, p_text(*comparison.p_holm), pairs);
 }
@@ -34,14 +36,14 @@ const char* who_took_part(const Dataset& data) {
 }
 
 // "(95 % CI 0.4 to 1.5; n = 37; exact p = .004)"; sign turns a - b round.
-std::string evidence(const Measure& measure, const Comparison& comparison, double sign, int pairs) {
+std::string evidence(const Measure& measure, const Comparison& comparison, double sign) {
   std::string ci = "no 95 % CI with so few people";
   if (comparison.hl_ci) {
     const Interval& i = comparison.hl_ci->interval;
     const Interval turned = sign > 0 ? i : Interval{-i.upper, -i.lower};
     ci = "95 % CI " + shown_interval(measure, turned);
   }
-  return fmt::format("({}; n = {}; {})", ci, comparison.test.n, p_with_family(comparison, pairs));
+  return fmt::format("({}; n = {}; {})", ci, comparison.test.n, p_with_family(comparison));
 }
 
 // The smallest two-sided p that so many non-zero differences can have.
@@ -92,7 +94,8 @@ bool stronger(const Comparison* a, const Comparison* b) {
 std::string how_many_differ(const std::vector<const Comparison*>& pairs) {
   const auto count = std::count_if(pairs.begin(), pairs.end(),
                                    [](const Comparison* pair) { return is_significant(*pair); });
-  return fmt::format(" {} of {} pairs differ.", count, pairs.size());
+  const int family = pairs[0]->family;
+  return family > 1 ? fmt::format(" {} of {} pairs differ.", count, family) : "";
 }
 
 }  // namespace
@@ -101,7 +104,7 @@ bool is_significant(const Comparison& comparison) {
   return comparison.p_holm && *comparison.p_holm < significance;
 }
 
-std::string sentence_on(const Dataset& data, const Comparison& comparison, int pairs) {
+std::string sentence_on(const Dataset& data, const Comparison& comparison) {
   const Measure& measure = item(data.measures, comparison.measure);
   const std::string& a = item(data.interfaces, comparison.a);
   const std::string& b = item(data.interfaces, comparison.b);
@@ -127,19 +130,23 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison, int p
   if (!is_significant(comparison)) {
     return fmt::format("No difference in {} between {} and {} could be shown: {} − {} = {} {}.",
                        measure.label, a, b, a, b, with_unit(measure, *comparison.hl),
-                       evidence(measure, comparison, 1, pairs));
+                       evidence(measure, comparison, 1));
   }
   return fmt::format("With {} {} {} than with {} {}.", a_lower ? a : b, who_took_part(data),
                      advantage(measure, amount), a_lower ? b : a,
-                     evidence(measure, comparison, sign, pairs));
+                     evidence(measure, comparison, sign));
 }
 
 std::string sentence_on_measure(const Results& results, int measure, int task) {
   const auto pairs = results.pairs(measure, task);
-  if (pairs.empty()) return only_interface(results, measure, task);
+  const std::string where =
+      results.data.tasks.size() > 1 ? "Task " + item(results.data.tasks, task).name + ": " : "";
+  if (pairs.empty() || results.summaries_of(measure, task).size() < 2) {
+    return where + only_interface(results, measure, task);
+  }
   const Comparison& pair = **std::min_element(pairs.begin(), pairs.end(), stronger);
-  std::string sentence = sentence_on(results.data, pair, size_of(pairs));
-  if (is_significant(pair) && pairs.size() > 1) sentence += how_many_differ(pairs);
+  std::string sentence = where + sentence_on(results.data, pair);
+  if (is_significant(pair)) sentence += how_many_differ(pairs);
   return sentence;
 }
 
@@ -169,7 +176,8 @@ std::vector<std::string> caveats(const Results& results) {
   }
   if (results.data.left_out_trials > 0) {
     sentences.push_back(count_of(results.data.left_out_trials, "trial was", "trials were") +
-                        " skipped, aborted or cut off and counts as missing.");
+                        " skipped, aborted or cut off and " +
+                        (results.data.left_out_trials == 1 ? "counts" : "count") + " as missing.");
   }
   for (const std::string& code : selection.shared_codes) {
     sentences.push_back("The code " + code +

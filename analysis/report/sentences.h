@@ -15,11 +15,11 @@ bool is_significant(const Comparison& comparison);
 
 // One sentence on a pair of interfaces: "With map people came 0.9 cm closer than
 // with labels (95 % CI 0.4 to 1.5; n = 37; exact p = .004, Holm over 10 pairs)."
-// pairs: how many were tested together.
-std::string sentence_on(const Dataset& data, const Comparison& comparison, int pairs);
+std::string sentence_on(const Dataset& data, const Comparison& comparison);
 
 // On one measure in one task: the pair with the largest difference among those that
-// differ significantly (else among all), or the values of the only interface.
+// differ significantly (else among all), or the values of the only interface. Where there are
+// several tasks it begins with the name of this one.
 std::string sentence_on_measure(const Results& results, int measure, int task);
 
 // Where the first page looks: D and time of the first task that has them.

@@ -1,6 +1,8 @@
 // Times: the restricted mean of each participant first, then tests for censored times.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/report/cells.h"
@@ -26,6 +28,7 @@ HtmlTable mean_table(const Results& results, int task) {
   table.columns = {"a − b"};
   table.columns.insert(table.columns.end(), test_columns().begin(), test_columns().end());
   for (const Comparison* one : results.pairs(measure, task)) {
+    if (!is_possible(results, measure, *one)) continue;
     std::vector<std::string> row = {pair_name(data, one->a, one->b)};
     for (std::string& cell : test_cells(item(data.measures, measure), *one)) {
       row.push_back(std::move(cell));
@@ -38,13 +41,12 @@ HtmlTable mean_table(const Results& results, int task) {
 
 HtmlTable curve_table(const Results& results, const TaskTimes& times) {
   HtmlTable table;
-  table.caption =
-      of_task(results.data, times.task) +
-      fmt::format(
-          "Beside it: all trials by the method of Kaplan and Meier, in seconds. Time limit "
-          "and giving up are right-censored. The mean is restricted to {} s, {}.",
-          fixed(times.horizon, 1),
-          times.to_limit ? "the limit" : "up to where every interface has trials");
+  table.caption = of_task(results.data, times.task) +
+                  fmt::format(
+                      "{}ll trials by the method of Kaplan and Meier, in seconds. Time limit "
+                      "and giving up are right-censored. The mean is restricted to {} s, {}.",
+                      times.pairs.empty() ? "A" : "Beside it: a", fixed(times.horizon, 1),
+                      times.to_limit ? "the limit" : "up to where every interface has trials");
   table.columns = {"interface", "trials",          "done",   "censored", "median",
                    "95 % CI",   "restricted mean", "95 % CI"};
   for (const TimeCurve& one : times.curves) {
@@ -79,6 +81,28 @@ HtmlTable rank_table(const Results& results, const TaskTimes& times) {
     table.strong.push_back(one.p_holm.value_or(1) < significance);
   }
   return table;
+}
+
+// A match that starts from a guess that was right already is a success that took no time.
+Html won_at_once(const Results& results, int task) {
+  const Dataset& data = results.data;
+  const int time = data.measure("time_s");
+  std::vector<int> won(data.interfaces.size(), 0), all(data.interfaces.size(), 0);
+  for (const Trial& trial : data.trials) {
+    if (trial.task != task) continue;
+    ++item(all, trial.interface);
+    const bool at_once = trial.outcome == "success" && item(trial.values, time) == 0.0;
+    item(won, trial.interface) += at_once ? 1 : 0;
+  }
+  std::string counts;
+  for (int i = 0; i < size_of(won); ++i) {
+    if (item(all, i) == 0) continue;
+    counts += fmt::format("{}{} {} of {}", counts.empty() ? "" : ", ", item(data.interfaces, i),
+                          item(won, i), item(all, i));
+  }
+  if (std::all_of(won.begin(), won.end(), [](int n) { return n == 0; })) return {};
+  return note(of_task(data, task) + "Won before they began, and so successes with a time of 0 s: " +
+              counts + ". Times of this task tell how good the start was, too.");
 }
 
 Table curve_rows(const Results& results) {
@@ -138,8 +162,8 @@ Section times_section(const Results& results) {
   Section section;
   section.title = "Times";
   for (const TaskTimes& times : results.times) {
-    section.html += wide(mean_table(results, times.task)) + wide(curve_table(results, times)) +
-                    wide(rank_table(results, times));
+    section.html += wide(mean_table(results, times.task)) + won_at_once(results, times.task) +
+                    wide(curve_table(results, times)) + wide(rank_table(results, times));
   }
   section.html += note(
       "Trials of one person are not independent: the curves and their intervals take them for it, "

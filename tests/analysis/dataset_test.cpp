@@ -22,8 +22,7 @@ TEST(Dataset, HasInterfacesInTheOrderOfTheStudy) {
 }
 
 TEST(Dataset, HasTheMeasuresThatTheManualLists) {
-  const std::string manual =
-      read_file(source_dir() / "docs/analysts.md");
+  const std::string manual = read_file(source_dir() / "docs/analysts.md");
   for (const Measure& measure : make_dataset({}, {}).measures) {
     const std::string unit = measure.unit.empty() ? " | " : " | " + measure.unit + " | ";
     EXPECT_NE(manual.find("| `" + measure.name + "`" + unit), std::string::npos) << measure.name;
@@ -112,6 +111,30 @@ TEST(Dataset, KnowsTheLimitThatAllTrialsOfATaskShare) {
   const Dataset data = dataset_of(folder.file("a.db"));
   EXPECT_FALSE(data.tasks[0].limit_s);
   EXPECT_EQ(data.tasks[0].threshold_m, 0.05);
+}
+
+TEST(Dataset, HasNoAmountsOfChoices) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({}).trial({}).answer("effort", 4).answer("mental-physical", 2);
+  log.database().exec("UPDATE answer SET text = 'physical' WHERE item = 'mental-physical'");
+  const Dataset data = dataset_of(folder.file("a.db"));
+  EXPECT_GE(data.measure("effort"), 0);
+  EXPECT_EQ(data.measure("mental-physical"), -1);
+}
+
+TEST(Dataset, TellsItemsOfTwoInstrumentsApart) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({}).trial({}).answer("satisfaction", 4).answer("other", 1);
+  log.database().exec(
+      "UPDATE answer SET instrument = 'mine', item = 'satisfaction' WHERE item = 'other'");
+  const Dataset data = dataset_of(folder.file("a.db"));
+  const auto value = [&](const char* name) {
+    return data.trials[0].values.at(static_cast<std::size_t>(data.measure(name)));
+  };
+  EXPECT_EQ(value("satisfaction"), 4);
+  EXPECT_EQ(value("mine.satisfaction"), 1);
 }
 
 }  // namespace

@@ -112,5 +112,21 @@ TEST_F(Orders, OfOneInterfaceHaveNothingToBalance) {
   EXPECT_EQ(order.learning[0].test.n, 0);
 }
 
+TEST_F(Orders, OfOnePersonHaveNothingToBalance) {
+  person(true, 1, 1);
+  EXPECT_EQ(effects().sentences.at(0), "One person has one order: there is nothing to balance.");
+}
+
+// The map is not of this task: it cannot stand at a place of it.
+TEST_F(Orders, OfATaskAreThoseOfItsInterfaces) {
+  person(true, 1, 1);
+  log.trial({"map", "tired", 1, {}, "done", "find"});
+  person(false, 1, 1);
+  log.trial({"map", "tired", 1, {}, "done", "find"});
+  const auto sentences = effects().sentences;
+  EXPECT_NE(sentences.at(0).find("In task match the orders are balanced"), std::string::npos);
+  EXPECT_NE(sentences.at(1).find("In task find there is one interface"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace promenade::analysis

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/statistics/median.h"
+#include "tests/analysis/toy_dataset.h"
 
 namespace promenade::analysis {
 namespace {
@@ -77,6 +78,13 @@ TEST(MedianInterval, EndsAtTheOrderStatisticsOfTheSignTest) {
 TEST(Median, OfAnEvenNumberIsTheMiddleOfTwo) {
   EXPECT_EQ(median_of({4, 1, 3, 2}), 2.5);
   EXPECT_FALSE(median_of({}));
+}
+
+TEST(FailureRatios, LeaveOutTasksThatCannotFail) {
+  Dataset data = toy_dataset(3, 2, 1, [](int, int, int) { return std::optional(5.0); });
+  EXPECT_EQ(failure_ratios(data).size(), 4u);
+  data.tasks[0].limit_s.reset();
+  EXPECT_TRUE(failure_ratios(data).empty());
 }
 
 }  // namespace

@@ -78,7 +78,8 @@ std::string caption_of(const Results& results, int task, const Measure& measure,
       "Hodges-Lehmann estimate with 95 % interval, n = {}. Filled: p < .05{}.",
       measure.label, in_task(results, task),
       same ? std::to_string(n) : fmt::format("{} to {}", (*least)->test.n, n),
-      pairs.size() > 1 ? fmt::format(" after Holm's adjustment over {} pairs", pairs.size()) : "");
+      pairs[0]->family > 1 ? fmt::format(" after Holm's adjustment over {} pairs", pairs[0]->family)
+                           : "");
 }
 
 constexpr const char* plot =

@@ -177,5 +177,42 @@ TEST(MethodsSection, NamesWhatWasUsedAndNothingElse) {
   EXPECT_EQ(works.find("McNemar (1947)"), std::string::npos) << "nobody failed";
 }
 
+TEST(FailuresSection, HasNoSharesOfATaskThatCannotFail) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    for (const char* name : {"labels", "weights"}) {
+      log.session({name}).trial({name, "tired", 5, {}, "done", "find", false, {}});
+    }
+  }
+  const Section section = failures_section(results_of(folder));
+  EXPECT_NE(section.html.code.find("there are no shares of failures"), std::string::npos);
+  EXPECT_EQ(section.html.code.find("Wilson"), std::string::npos);
+}
+
+TEST(TimesSection, CountsWhatWasWonBeforeItBegan) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P1"}).trial({"labels", "happy", 0, 0.01, "success"});
+    log.trial({"weights", "happy", 9, 0.01, "success"});
+  }
+  EXPECT_NE(times_section(results_of(folder)).html.code.find("weights 0 of 1, labels 1 of 1"),
+            std::string::npos);
+}
+
+TEST(ComparisonTable, HasOnlyPairsThatATaskAllows) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    log.session({"P1"}).trial({"labels"}).trial({"weights"});
+    log.trial({"map", "tired", 5, {}, "done", "find"});
+  }
+  const Results results = results_of(folder);
+  const HtmlTable table = comparison_table(results, 0, Pooling::participants, "");
+  EXPECT_FALSE(table.rows.empty());
+  for (const auto& row : table.rows) EXPECT_EQ(row[1].find("map"), std::string::npos) << row[1];
+}
+
 }  // namespace
 }  // namespace promenade::analysis

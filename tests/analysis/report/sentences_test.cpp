@@ -76,5 +76,37 @@ TEST(Sentences, SayThatNobodyUsedBoth) {
             "Nobody has a value of time with both weights and labels.");
 }
 
+// Task match is for labels and weights alone, find for labels and map.
+Results two_tasks(const TestFolder& folder) {
+  {
+    ToyLog log(folder.file("a.db"));
+    for (int i = 1; i <= 8; ++i) {
+      log.session({"P" + std::to_string(i)});
+      log.trial({"labels", "happy", 10.0 + i, 0.02}).trial({"weights", "happy", 20.0 + i, 0.03});
+      log.trial({"labels", "tired", 5, {}, "done", "find"});
+      log.trial({"map", "tired", 5.0 + i, {}, "done", "find"});
+    }
+  }
+  return compute_results({folder.file("a.db")}, {});
+}
+
+TEST(Sentences, NameTheTaskAndCountThePairsThatItHas) {
+  const TestFolder folder;
+  EXPECT_EQ(sentence(two_tasks(folder), "d_final"),
+            "Task match: With labels people came 1.0 cm closer than with weights (95 % CI 1.0 to "
+            "1.0; n = 8; exact p = .008).");
+}
+
+TEST(Sentences, CountMissingTrialsInGoodGrammar) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 12, 0.001);
+    log.trial({"labels", "sad", 1, 0.1, "aborted"}).trial({"labels", "old", 1, 0.1, "skipped"});
+  }
+  EXPECT_EQ(caveats(compute_results({folder.file("a.db")}, {})).at(0),
+            "2 trials were skipped, aborted or cut off and count as missing.");
+}
+
 }  // namespace
 }  // namespace promenade::analysis
