@@ -17,7 +17,7 @@ using Summaries = std::vector<const Summary*>;
 // With more people lines hide everything, and a violin shows more than the dots.
 constexpr int most_joined = 40;
 constexpr int violin_points = 101;
-constexpr double violin_width = 0.36;  // of a column, at the densest place of the figure
+constexpr double violin_width = 0.36;  // of a column, where a cloud is densest
 
 double largest_value(const Summaries& summaries) {
   double largest = 0;
@@ -43,9 +43,10 @@ std::string caption_of(const Results& results, int task, const Measure& measure,
       "{}{}. Each dot is one participant (mean over targets), {}; squares are medians with 95 % "
       "intervals",
       capitalised(measure.label), in_task(results, task),
-      is_raincloud(results) ? "moved aside at random within its column; the clouds are densities "
-                              "by a Gaussian kernel, all on one scale"
-                            : "grey lines join the same person");
+      is_raincloud(results)
+          ? "moved aside within its column; clouds are densities by a Gaussian kernel, each as "
+            "wide as the others where it is densest"
+          : "grey lines join the same person");
   std::string counts;
   for (const Summary* summary : summaries) {
     counts += fmt::format("{}{} n = {}", counts.empty() ? "" : ", ",
@@ -93,24 +94,19 @@ Table median_data(const Results& results, const Summaries& summaries, const std:
   return table;
 }
 
-// An empty line parts interfaces. Widths are shares of that of a column.
+// An empty line parts interfaces. Widths are shares of that of a column: every cloud is as wide
+// as the others where it is densest, for one of people who all did nearly the same would make
+// lines of the others.
 Table violin_data(const Results& results, const Summaries& summaries, const Measure& measure,
                   const std::string& name) {
-  std::vector<std::optional<KernelDensity>> clouds;
-  double most = 0;
-  for (const Summary* summary : summaries) {
-    std::vector<double> values;
-    for (const auto& value : summary->values) {
-      if (value) values.push_back(*value);
-    }
-    clouds.push_back(kernel_density(values, violin_points));
-    if (!clouds.back()) continue;
-    const auto& density = clouds.back()->density;
-    most = std::max(most, *std::max_element(density.begin(), density.end()));
-  }
   Table table{name, "", {"column", measure.name, "width", "density", "bandwidth", "interface"}, {}};
   for (int i = 0; i < size_of(summaries); ++i) {
-    const auto& cloud = item(clouds, i);
+    std::vector<double> values;
+    for (const auto& value : item(summaries, i)->values) {
+      if (value) values.push_back(*value);
+    }
+    const auto cloud = kernel_density(values, violin_points);
+    const double most = cloud ? *std::max_element(cloud->density.begin(), cloud->density.end()) : 1;
     for (std::size_t k = 0; cloud && k < cloud->at.size(); ++k) {
       table.rows.push_back({Cell(std::int64_t{i + 1}), Cell(cloud->at[k]),
                             Cell(violin_width * cloud->density[k] / most), Cell(cloud->density[k]),
