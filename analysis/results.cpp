@@ -66,6 +66,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     study::Database database = open_database(databases[0]);
     results.reachability = find_reachable(database, *registry);
     add_regret(results.reachability, results.data);
+    results.map_times = map_times(results.log, results.data, *registry);
   }
   results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);

@@ -10,6 +10,7 @@
 #include "analysis/deviations.h"
 #include "analysis/failure_tests.h"
 #include "analysis/flow.h"
+#include "analysis/map_time.h"
 #include "analysis/omnibus.h"
 #include "analysis/order_effects.h"
 #include "analysis/preference.h"
@@ -29,6 +30,7 @@ struct Results {
   Selection selection;
   Dataset data;
   Reachability reachability;
+  MapTimes map_times;
   std::vector<Comparison> comparisons;
   std::vector<FailureRatio> failures;
   std::vector<Summary> summaries;
@@ -50,7 +52,8 @@ struct Results {
   std::vector<const Summary*> summaries_of(int measure, int task) const;
 };
 
-// Reads the databases and runs every test. Without `registry` there is no regret. Throws
+// Reads the databases and runs every test. Without `registry` there is no regret and
+// no map. Throws
 // InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
                         const Progress& progress = {},

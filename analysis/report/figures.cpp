@@ -66,7 +66,7 @@ std::vector<Figure> figures_of(const Results& results) {
   const Curves curves = curves_of(results);
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
     for (const char* measure : {"d_final", "time_s"}) {
-      add(paired_dots(results, task, measure));
+      add(each_participant(results, task, measure));
       add(forest(results, task, measure));
       add(means_by_target(results, task, measure));
       add(differences_to_reference(results, task, measure));
@@ -75,7 +75,9 @@ std::vector<Figure> figures_of(const Results& results) {
     add(failures_by_target(results, task));
     add(survival_curves(results, task));
     add(d_over_time(results, task, curves));
+    add(map_heat(results, task));
   }
+  add(dendrogram(results));
   return figures;
 }
 

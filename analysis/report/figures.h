@@ -15,7 +15,7 @@
 namespace promenade::analysis {
 
 struct Figure {
-  int task = 0;
+  int task = 0;         // -1: the whole study
   std::string name;     // of the files, without extension
   std::string title;    // a few words: "Final D per participant"
   std::string caption;  // what it shows, with n

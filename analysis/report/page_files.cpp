@@ -47,18 +47,22 @@ Html item_of(const std::string& file, const std::string& what) {
 
 Html figure_section(const Results& results, const std::vector<DrawnFigure>& figures) {
   Html html = element("h2", {{"id", "figures"}}, text("Figures"));
+  if (!results.map_times.missing.empty()) html += element("p", results.map_times.missing);
   int number = 0;
-  for (int task = 0; task < size_of(results.data.tasks); ++task) {
+  const auto add = [&](int task, const std::string& heading) {
     Html pictures;
     for (const DrawnFigure& drawn : figures) {
       if (drawn.figure.task == task) pictures += figure_on_page(drawn, ++number);
     }
-    if (pictures.code.empty()) continue;
-    if (results.data.tasks.size() > 1) {
-      html += element("h3", "Task " + item(results.data.tasks, task).name);
-    }
+    if (pictures.code.empty()) return;
+    if (!heading.empty()) html += element("h3", heading);
     html += element("div", {{"class", "figures"}}, pictures);
+  };
+  const int tasks = size_of(results.data.tasks);
+  for (int task = 0; task < tasks; ++task) {
+    add(task, tasks > 1 ? "Task " + item(results.data.tasks, task).name : "");
   }
+  add(-1, "The motions");
   return html;
 }
 

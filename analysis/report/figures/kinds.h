@@ -10,8 +10,10 @@
 
 namespace promenade::analysis {
 
-// A dot per participant and interface, joined; medians with 95 % intervals (paired_dots.cpp).
-std::optional<Figure> paired_dots(const Results& results, int task, const std::string& measure);
+// A dot per participant and interface, joined; medians with 95 % intervals. Of more than 40
+// people a raincloud: dots that are not joined, beside half violins (each_participant.cpp).
+std::optional<Figure> each_participant(const Results& results, int task,
+                                       const std::string& measure);
 
 // Every pair of interfaces: Hodges-Lehmann estimate with 95 % interval (forest.cpp).
 std::optional<Figure> forest(const Results& results, int task, const std::string& measure);
@@ -31,6 +33,12 @@ std::optional<Figure> survival_curves(const Results& results, int task);
 
 // The median D of all trials while they went on (d_over_time.cpp).
 std::optional<Figure> d_over_time(const Results& results, int task, const Curves& curves);
+
+// Where on the map people spent their time, a panel for each interface (map_heat.cpp).
+std::optional<Figure> map_heat(const Results& results, int task);
+
+// How alike the motions of the set are, of the whole study (dendrogram.cpp).
+std::optional<Figure> dendrogram(const Results& results);
 
 // Names of files and words that the kinds share (kinds.cpp).
 std::string figure_name(const Results& results, int task, const std::string& what);

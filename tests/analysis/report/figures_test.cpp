@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "motion/files.h"
 #include "tests/analysis/toy_log.h"
@@ -112,6 +113,121 @@ TEST(Figures, TellGuessesFromWhatWasSeen) {
                                   [](const Figure& one) { return one.name == "guessed"; });
   ASSERT_NE(found, figures.end());
   EXPECT_DOUBLE_EQ(std::get<double>(found->data[0].rows.at(0)[2]), 2.0 / 3);
+}
+
+// A map of `examples` on a spiral, seen with every interface, and their tree.
+MapTimes made_up_map(int examples, int interfaces, const std::string& name) {
+  MapTimes times;
+  times.map.examples.resize(examples, 2);
+  for (int i = 0; i < examples; ++i) {
+    times.names.push_back(name + std::to_string(i + 1));
+    times.map.examples.row(i) << (i + 1) * std::cos(2.4 * i), (i + 1) * std::sin(2.4 * i);
+  }
+  times.map.least.setConstant(-1.1 * examples);
+  times.map.cell.setConstant(0.22 * examples);
+  times.tree = motion::ward(times.map.examples.transpose());
+  for (int k = 0; k < interfaces; ++k) {
+    MapTime& time = times.times.emplace_back();
+    time.interface = k;
+    time.trials = 3;
+    for (int cell = 0; cell < map_cells * map_cells; cell += k + 2) {
+      time.seconds[static_cast<std::size_t>(cell)] = 60.0 / (cell + 1);
+    }
+    time.outside_s = 7;
+  }
+  return times;
+}
+
+const Figure* find(const std::vector<Figure>& figures, const std::string& name) {
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [&](const Figure& one) { return one.name == name; });
+  return found == figures.end() ? nullptr : &*found;
+}
+
+TEST(Figures, ShowTheMapAndTheTreeOfTheMotions) {
+  for (const auto& [examples, name] : {std::pair{1, "one"}, {2, "it's "}, {55, "歩き方"}}) {
+    const TestFolder folder;
+    fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0.001);
+    Results results = results_of(folder);
+    results.map_times = made_up_map(examples, 2, name);
+    const auto figures = figures_of(results);
+    ASSERT_TRUE(find(figures, "map_time")) << examples;
+    EXPECT_EQ(find(figures, "dendrogram") != nullptr, examples > 1);
+    draw_in(folder, figures, "figures");
+    EXPECT_NE(read_file(folder.file("figures/map_time.svg")).find(name), std::string::npos);
+  }
+}
+
+TEST(Figures, GiveTheSecondsOfEachCellOfTheMap) {
+  const TestFolder folder;
+  fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0.001);
+  Results results = results_of(folder);
+  results.map_times = made_up_map(3, 1, "walk");
+  MapTime& time = results.map_times.times[0];
+  time.seconds.fill(0);
+  time.seconds[42] = 21;
+  const auto figures = figures_of(results);
+  const auto& rows = find(figures, "map_time")->data[0].rows;
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(std::get<std::int64_t>(rows[0][1]), 4) << "from the left";
+  EXPECT_EQ(std::get<std::int64_t>(rows[0][2]), 2) << "from below";
+  EXPECT_DOUBLE_EQ(std::get<double>(rows[0][3]), 0.75) << "of 28 seconds";
+  EXPECT_DOUBLE_EQ(std::get<double>(rows[0][4]), 21);
+}
+
+TEST(Figures, DrawASetWithoutSpread) {
+  const TestFolder folder;
+  fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0.001);
+  Results results = results_of(folder);
+  results.map_times = made_up_map(3, 1, "walk");
+  results.map_times.map.examples.setZero();
+  results.map_times.map.least.setZero();
+  results.map_times.map.cell.setZero();
+  results.map_times.tree = motion::ward(Eigen::MatrixXd::Zero(2, 3));
+  const auto figures = figures_of(results);
+  EXPECT_FALSE(find(figures, "dendrogram")) << "all are the same";
+  draw_in(folder, figures, "figures");
+  EXPECT_TRUE(std::filesystem::exists(folder.file("figures/map_time.svg")));
+}
+
+// Like R's hclust: the tighter of two clusters comes first, at the top.
+TEST(Figures, PutBracketsOfTheTreeBetweenTheirRows) {
+  const TestFolder folder;
+  fill(*std::make_unique<ToyLog>(folder.file("a.db")), 2, 0.001);
+  Results results = results_of(folder);
+  results.map_times = made_up_map(3, 0, "walk");
+  Eigen::MatrixXd at(1, 3);
+  at << 10, 0, 1;
+  results.map_times.tree = motion::ward(at);
+  const auto figures = figures_of(results);
+  const auto& data = find(figures, "dendrogram")->data;
+  const auto height = [&](std::size_t row) { return std::get<double>(data[0].rows[row][0]); };
+  EXPECT_NEAR(height(1), 1, 1e-12);
+  EXPECT_NEAR(height(6), std::sqrt(4.0 / 3) * 9.5, 1e-12);
+  EXPECT_EQ(std::get<std::string>(data[1].rows[0][1]), "walk1");
+  EXPECT_EQ(std::get<std::string>(data[1].rows[2][1]), "walk3");
+}
+
+TEST(Figures, OfMoreThanFortyPeopleAreRainclouds) {
+  for (const int people : {40, 41}) {
+    const TestFolder folder;
+    fill(*std::make_unique<ToyLog>(folder.file("a.db")), people, 0.001);
+    const auto figures = figures_of(results_of(folder));
+    const Figure& dots = *find(figures, "d_final");
+    EXPECT_EQ(dots.data.size(), people > 40 ? 3U : 2U);
+    EXPECT_EQ(dots.caption.find("grey lines") == std::string::npos, people > 40);
+    if (people > 40) draw_in(folder, {dots}, "figures");
+  }
+}
+
+TEST(Figures, DrawRaincloudsOfPeopleWhoAllDidTheSame) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    for (int i = 0; i < 41; ++i) log.session({"P" + std::to_string(i)}).trial({});
+  }
+  draw_in(folder, figures_of(results_of(folder)), "figures");
+  EXPECT_TRUE(std::filesystem::exists(folder.file("figures/d_final.svg")));
 }
 
 }  // namespace

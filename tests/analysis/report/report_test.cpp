@@ -9,6 +9,7 @@
 #include "motion/files.h"
 #include "motion/problem.h"
 #include "tests/analysis/toy_log.h"
+#include "tests/study/toy.h"
 
 namespace promenade::analysis {
 namespace {
@@ -127,6 +128,17 @@ TEST(Report, ReplacesAnOlderOneAndLeavesOtherFilesAlone) {
   report(folder);
   EXPECT_NE(read_file(folder.file("out/report.html")), "old");
   EXPECT_EQ(read_file(folder.file("out/notes.txt")), "mine");
+}
+
+TEST(Report, SaysWhyThereIsNoMap) {
+  const TestFolder folder;
+  make(folder, "a.db", 2, 0.001);
+  ReportOptions options{{folder.file("a.db")}, folder.file("out"), {}, {}};
+  options.registry = &study::toy::registry();
+  write_report(options);
+  EXPECT_NE(read_file(folder.file("out/report.html")).find("Where on the map people spent"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.file("out/figures/map_time.svg")));
 }
 
 // In any case of letters, as a word of its own. Pictures inside the page do not count.
