@@ -33,7 +33,9 @@ std::vector<Group> group_by_person(const Log& log, const SelectionOptions& optio
   for (std::size_t i = 0; i < log.sessions.size(); ++i) {
     const LoggedSession& session = log.sessions[i];
     if (!selected(session, options)) {
-      (session.simulated ? simulated : pilot).insert(session.participant);
+      // Simulated pilot sessions are left out as what was not asked for.
+      const bool as_simulated = session.simulated && !options.include_simulated;
+      (as_simulated ? simulated : pilot).insert(session.participant);
       continue;
     }
     const auto [found, is_new] = group_of.emplace(session.participant, groups.size());

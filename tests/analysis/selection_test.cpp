@@ -176,5 +176,16 @@ TEST(Exclusions, NameEveryWrongLine) {
   }
 }
 
+TEST(Selection, CountsASimulatedPilotAsWhatWasNotAskedFor) {
+  const TestFolder folder;
+  ToyLog log(folder.file("a.db"));
+  log.session({"P1", "finished", true, true}).trial({});
+  const Log read = read_log(log.database());
+  EXPECT_EQ(select(read, {}).left_out_simulated, 1);
+  const Selection selection = select(read, {true, false, ""});
+  EXPECT_EQ(selection.left_out_simulated, 0);
+  EXPECT_EQ(selection.left_out_pilot, 1);
+}
+
 }  // namespace
 }  // namespace promenade::analysis
