@@ -34,10 +34,19 @@ Html row_of(std::string_view cell, const Cells& cells) {
   return element("tr", row) + trusted("\n");
 }
 
+// These are markup anywhere; a list, a heading or a quotation only begins with its first word, as
+// "-", "##" or "12.".
+bool is_markup(std::string_view text, std::size_t at) {
+  if (std::string_view("\\`*_[]|~").find(text[at]) != std::string_view::npos) return true;
+  if (std::string_view("#+-.)>=!").find(text[at]) == std::string_view::npos) return false;
+  return text.substr(0, at).find_first_not_of("0123456789#+->=! ") == std::string_view::npos;
+}
+
 // On one line, and no letter of it markup.
 std::string plain(std::string_view text) {
   std::string result;
-  for (const char letter : text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char letter = text[at];
     if (letter == '<') {
       result += "&lt;";
     } else if (letter == '&') {
@@ -45,9 +54,7 @@ std::string plain(std::string_view text) {
     } else if (static_cast<unsigned char>(letter) < 0x20) {
       result += ' ';
     } else {
-      if (std::string_view("\\`*_{}[]()#+-.!|>~").find(letter) != std::string_view::npos) {
-        result += '\\';
-      }
+      if (is_markup(text, at)) result += '\\';
       result += letter;
     }
   }

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "app/usage_error.h"
 #include "motion/problem.h"
 
 namespace {
@@ -12,6 +13,7 @@ int run(int argc, char** argv) {
   CLI::App program("Promenade runs user studies of motion-style interfaces.", "promenade");
   program.set_version_flag("--version", "promenade " PROMENADE_VERSION);
   program.require_subcommand(0, 1);
+  program.failure_message(promenade::app::usage_error);
   program.callback([&program] {
     if (!program.get_subcommands().empty()) return;
     throw promenade::OutsideError(

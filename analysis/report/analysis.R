@@ -25,7 +25,7 @@ read_table <- function(name) {
 comparisons <- read_table("comparisons")
 trials <- read_table("trials")
 measures <- read_table("measures")
-named <- c("measure", "unit", "task", "target", "pooling", "a", "b")
+named <- c("measure", "unit", "task", "target", "pooling", "a", "b", "p_holm_from")
 for (column in setdiff(names(comparisons), named)) {
   comparisons[[column]] <- as.numeric(comparisons[[column]])
 }

@@ -80,6 +80,14 @@ Html wide(const HtmlTable& table) {
   return table.rows.empty() ? Html{} : element("div", {{"class", "wide"}}, render(table));
 }
 
+Html folded(const HtmlTable& table) {
+  constexpr std::size_t shown_rows = 16;
+  if (table.rows.size() <= shown_rows) return wide(table);
+  const std::string size = "Show " + std::to_string(table.rows.size()) + " rows: ";
+  const std::string what = table.caption.substr(0, table.caption.find(". "));
+  return element("details", element("summary", size + what) + wide(table));
+}
+
 Html note(const std::string& sentence) { return element("p", {{"class", "note"}}, text(sentence)); }
 
 std::string of_task(const Dataset& data, int task) {

@@ -39,6 +39,9 @@ std::string pair_name(const Dataset& data, int a, int b);                   // "
 
 // A table that may be wider than a narrow page; nothing without rows.
 Html wide(const HtmlTable& table);
+// A table of details: where it is long, only its caption shows until somebody opens it. On paper it
+// is open.
+Html folded(const HtmlTable& table);
 Html note(const std::string& sentence);
 
 // "map: ", or nothing where there is only one task: how a caption begins.

@@ -42,6 +42,11 @@ bool is_in_spotlight(const Measure& measure) {
   return name == "d_final" || name == "time_s" || name == "d_first" || name == "d_best";
 }
 
+// All trials begin from the same walk, unless they begin from a guess.
+bool is_same_start(const Measure& measure, const Comparison& one) {
+  return measure.name == "d_first" && one.test.n == one.test.n_zero;
+}
+
 }  // namespace
 
 const std::vector<std::string>& test_columns() {
@@ -93,6 +98,7 @@ HtmlTable comparison_table(const Results& results, int task, Pooling pooling, st
     if ((measure.kind == MeasureKind::process) != process) continue;
     if (!is_possible(results, one.measure, one)) continue;
     if (by_target && !is_in_spotlight(measure)) continue;
+    if (is_same_start(measure, one)) continue;
     std::vector<std::string> row = {measure.label};
     if (by_target) row.push_back(target_words(data, task, one.target));
     row.push_back(pair_name(data, one.a, one.b));

@@ -17,7 +17,9 @@ Section comparisons_section(const Results& results) {
     section.html += wide(comparison_table(
         results, task, Pooling::participants,
         "Signed-rank tests with one value per participant (the mean over targets): the main "
-        "result. Bold: adjusted p < .05. How people worked is compared further below."));
+        "result. Bold: adjusted p < .05. D at the start is left out where it was the same; how "
+        "people "
+        "worked is compared further below."));
   }
   section.html += family_note(results, Pooling::participants);
   section.json["holm_family"] = "all pairs of interfaces for one measure at one place";

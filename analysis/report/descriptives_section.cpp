@@ -10,13 +10,15 @@ namespace {
 HtmlTable summary_table(const Results& results, int task) {
   const Dataset& data = results.data;
   HtmlTable table;
-  table.caption = of_task(data, task) +
-                  "Each interface by itself: one value per participant, the mean over targets.";
+  table.caption =
+      of_task(data, task) +
+      "Each interface by itself: one value per participant, the mean over targets. Measures of "
+      "the process stand in tables/summaries.csv.";
   table.columns = {"measure", "interface", "n", "mean", "SD", "median", "95 % CI of the median"};
   table.heads = 2;
   for (const Summary& one : results.summaries) {
-    if (one.task != task) continue;
     const Measure& measure = item(data.measures, one.measure);
+    if (one.task != task || measure.kind == MeasureKind::process) continue;
     table.rows.push_back({measure.label, item(data.interfaces, one.interface),
                           std::to_string(one.n), with_unit(measure, *one.mean),
                           one.sd ? shown(measure, *one.sd) : dash, with_unit(measure, *one.median),
@@ -69,7 +71,7 @@ Section descriptives_section(const Results& results) {
   Section section;
   section.title = "Each interface by itself";
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(summary_table(results, task)) + wide(target_table(results, task));
+    section.html += wide(summary_table(results, task)) + folded(target_table(results, task));
   }
   section.tables = {descriptives(results)};
   section.json["descriptives"] = json_rows(section.tables[0]);

@@ -123,8 +123,8 @@ Html tests_of(const Results& results, int task) {
     return element("p",
                    of_task(results.data, task) + "Nobody failed, so there is nothing to compare.");
   }
-  return wide(share_table(results, task)) + wide(omnibus_table(results, task)) +
-         wide(pair_table(results, task));
+  return wide(share_table(results, task)) + folded(omnibus_table(results, task)) +
+         folded(pair_table(results, task));
 }
 
 Html failures_in(const Results& results, int task) {

@@ -136,7 +136,7 @@ Section omnibus_section(const Results& results) {
   Section section;
   section.title = "All interfaces at once";
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(test_table(results, task)) + wide(pair_table(results, task));
+    section.html += wide(test_table(results, task)) + folded(pair_table(results, task));
   }
   section.html += note(fmt::format(
       "χ² is corrected for ties; F is that of Iman and Davenport; W is Kendall’s. The exact p "

@@ -15,6 +15,19 @@ Html shown(const std::vector<Section>& sections) {
   return html;
 }
 
+Html entry(const std::string& anchor, const std::string& title) {
+  return element("li", element("a", {{"href", "#" + anchor}}, text(title))) + trusted("\n");
+}
+
+Html contents(const std::vector<Section>& sections) {
+  Html list = entry("figures", "Figures");
+  for (const Section& section : sections) {
+    if (!section.title.empty()) list += entry(anchor_of(section.title), section.title);
+  }
+  list += entry("data", "Data") + entry("provenance", "Provenance");
+  return element("nav", {{"class", "contents"}, {"aria-label", "Contents"}}, element("ol", list));
+}
+
 }  // namespace
 
 std::string report_page(const Results& results, const std::vector<Section>& sections,
@@ -26,7 +39,7 @@ std::string report_page(const Results& results, const std::vector<Section>& sect
               element("style", trusted(page_css()));
   Html body = stripe(results);
   body += element("main", headline(results) + flow_bar(results) + panels(results) +
-                              sensitivity_links(results) + buttons() +
+                              sensitivity_links(results) + buttons() + contents(sections) +
                               figure_section(results, figures) + shown(sections) +
                               file_section(results, sections) + provenance_section(results));
   return "<!DOCTYPE html>\n" +

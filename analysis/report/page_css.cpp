@@ -65,6 +65,10 @@ svg text { font: 13px "Noto Sans", Arial, sans-serif; fill: var(--quiet); }
 .buttons a { border: 1px solid var(--ink); border-radius: 4px; padding: 7px 14px;
   color: var(--ink); text-decoration: none; font-size: 15px; }
 .buttons a:hover, .buttons a:focus { background: #eef2f5; }
+.contents ol { columns: 4 210px; margin: 22px 0 0; padding: 14px 0 14px 1.6em; font-size: 15px;
+  border-top: 1px solid var(--line); border-bottom: 1px solid var(--line); }
+.contents li { break-inside: avoid; padding: 1px 0; } .contents a { color: var(--ink); }
+details { margin: 14px 0; } summary { cursor: pointer; font-size: 15px; }
 .figures { display: flex; flex-wrap: wrap; gap: 28px; }
 figure { margin: 0; break-inside: avoid; flex: 1 1 440px; max-width: 586px; min-width: 0; }
 figure.full { flex-basis: 100%; max-width: 100%; }
@@ -110,7 +114,8 @@ code { font-size: 14px; overflow-wrap: anywhere; }
   tr, figure, .flow { break-inside: avoid; } h2, h3, caption { break-after: avoid; }
   tbody tr:nth-child(-n+3) { break-before: avoid; }
   thead { display: table-header-group; }
-  figure { flex: 0 0 47%; } .buttons { display: none; }
+  figure { flex: 0 0 47%; } .buttons, .contents, summary { display: none; }
+  details::details-content { content-visibility: visible; block-size: auto; }
 }
 )css";
 

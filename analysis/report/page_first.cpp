@@ -233,8 +233,10 @@ void add_step(int count, const std::string& name, Html& bar, Html& legend) {
     bar += element("span", {{"class", name}, {"style", fmt::format("flex: {}", count)}},
                    text(std::to_string(count)));
   }
+  const std::string words = fmt::format("{} {}", count, name);
+  const bool explained = count > 0 && name == "excluded";
   legend += element("li", element("i", {{"class", name}}, text("\u00a0")) +
-                              text(fmt::format("{} {}", count, name)));
+                              (explained ? link("#excluded-participants", words) : text(words)));
 }
 
 }  // namespace
@@ -284,6 +286,14 @@ Html sensitivity_links(const Results& results) {
   Html html;
   for (const std::string& sentence : results.sensitivity.sentences) {
     html += element("p", {{"class", "sensitivity"}}, link("#sensitivity", unbroken(sentence)));
+  }
+  if (results.prereg) {
+    const int deviations = size_of(results.prereg->deviations);
+    html +=
+        element("p", {{"class", "sensitivity"}},
+                link("#preregistration",
+                     "Preregistered: " + count_of(size_of(results.prereg->tests), "test", "tests") +
+                         " planned, " + count_of(deviations, "deviation", "deviations") + "."));
   }
   return html;
 }

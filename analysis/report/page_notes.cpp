@@ -53,17 +53,6 @@ HtmlTable fact_table(const Results& results) {
   return table;
 }
 
-HtmlTable exclusion_table(const Selection& selection) {
-  HtmlTable table;
-  table.caption = "Participants excluded by the analyst.";
-  table.columns = {"code", "reason", "rule", "decided on"};
-  for (const Exclusion& one : selection.exclusions) {
-    const auto given = [](const std::string& text) { return text.empty() ? "not given" : text; };
-    table.rows.push_back({one.code, given(one.reason), given(one.rule), given(one.date)});
-  }
-  return table;
-}
-
 Html text_table(const HtmlTable& table) {
   return element("div", {{"class", "wide text"}}, render(table));
 }
@@ -81,11 +70,9 @@ Html amendments(const Log& log) {
 }  // namespace
 
 Html provenance_section(const Results& results) {
-  Html html = element("h2", "Provenance") + text_table(fact_table(results)) +
-              amendments(results.log) + text_table(file_table(results.log));
-  if (!results.selection.exclusions.empty()) {
-    html += text_table(exclusion_table(results.selection));
-  }
+  Html html = element("h2", {{"id", "provenance"}}, text("Provenance")) +
+              text_table(fact_table(results)) + amendments(results.log) +
+              text_table(file_table(results.log));
   html += element("p", "Queries behind every number, before people are selected as above:");
   std::string queries;
   for (const std::string& query : log_queries()) queries += query + ";\n";

@@ -10,7 +10,7 @@ Section pooled_section(const Results& results) {
   if (results.data.interfaces.size() < 2) return {};
   Section section;
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(comparison_table(
+    section.html += folded(comparison_table(
         results, task, Pooling::trials,
         "As papers in this field print it: each participant and target counts as one pair. Pairs "
         "of the same person are not independent, so these p are too small; shown for comparison "

@@ -2,6 +2,7 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/cells.h"
 
 namespace promenade::analysis {
 namespace {
@@ -38,7 +39,7 @@ Html deviations_html(const PreregCheck& check) {
   for (const PlanDeviation& one : check.deviations) {
     table.rows.push_back({one.about, one.planned, one.found});
   }
-  return render(table);
+  return element("div", {{"class", "wide text"}}, render(table));
 }
 
 // Without the "= " of sentences.
@@ -74,7 +75,7 @@ Html tests_html(const Results& results, const PreregCheck& check) {
     table.rows.push_back(std::move(row));
   }
   table.heads = 3;
-  return render(table);
+  return wide(table);
 }
 
 Table deviation_table(const PreregCheck& check) {

@@ -9,7 +9,7 @@ namespace promenade::analysis {
 Section process_section(const Results& results) {
   Section section;
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(comparison_table(
+    section.html += folded(comparison_table(
         results, task, Pooling::participants,
         "Measures of the process, with one value per participant (the mean over targets). They "
         "describe; no plan made them a result. Bold: adjusted p < .05.",

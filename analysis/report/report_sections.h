@@ -17,6 +17,7 @@ Section times_section(const Results& results);
 Section preference_section(const Results& results);
 Section questionnaires_section(const Results& results);
 Section reach_section(const Results& results);        // what each interface can reach at all
+Section exclusions_section(const Results& results);   // who was left out by hand, and why
 Section sensitivity_section(const Results& results);  // with and without
 Section order_section(const Results& results);
 Section quality_section(const Results& results);

@@ -5,26 +5,33 @@
 namespace promenade::analysis {
 
 std::vector<Section> sections_of(const Results& results) {
-  std::vector<Section> sections = {
-      comparisons_section(results),     //
-      descriptives_section(results),    //
-      omnibus_section(results),         //
-      failures_section(results),        //
-      guesses_section(results),         //
-      times_section(results),           //
-      preference_section(results),      //
-      questionnaires_section(results),  //
-      targets_section(results),         //
-      process_section(results),         //
-      reach_section(results),           //
-      pooled_section(results),          //
-      sensitivity_section(results),     //
-      order_section(results),           //
-      quality_section(results),         //
-      deviations_section(results),      //
-  };
+  std::vector<Section> sections;
   if (results.prereg) sections.push_back(prereg_section(results));
-  sections.push_back(methods_section(results));
+  for (const auto& section : {
+           // What came out.
+           comparisons_section,
+           omnibus_section,
+           failures_section,
+           guesses_section,
+           times_section,
+           preference_section,
+           questionnaires_section,
+           // May it be believed?
+           exclusions_section,
+           sensitivity_section,
+           order_section,
+           quality_section,
+           deviations_section,
+           // Details.
+           descriptives_section,
+           targets_section,
+           pooled_section,
+           process_section,
+           reach_section,
+           methods_section,
+       }) {
+    sections.push_back(section(results));
+  }
   return sections;
 }
 

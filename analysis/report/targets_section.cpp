@@ -10,7 +10,7 @@ Section targets_section(const Results& results) {
   if (results.data.interfaces.size() < 2) return {};
   Section section;
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    section.html += wide(comparison_table(
+    section.html += folded(comparison_table(
         results, task, Pooling::none,
         "Signed-rank tests for each target by itself, D and time; the other measures stand in "
         "tables/comparisons.csv. The normal p is by the convention of Oshita et al.: without "

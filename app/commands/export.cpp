@@ -32,7 +32,7 @@ void run_export(Arguments& arguments) {
 
 void add_export_command(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("export", "from a database to CSV with a codebook (Psych-DS)");
+      program.add_subcommand("export", "From a database to CSV with a codebook (Psych-DS)");
   auto arguments = std::make_shared<Arguments>();
   analysis::ExportOptions& options = arguments->options;
   command->add_option("DB", options.database, "the database of a study")->required();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <ctime>
 #include <map>
 
 #include "analysis/power/rehearsal.h"
@@ -151,6 +152,9 @@ void run(Options options) {
   report.study = bundle.study.name;
   report.sha256 = bundle.sha256;
   report.round = study::round_of_design(bundle.study);
+  // Not in the output itself, which is the same every time.
+  print_note(fmt::format("took {:.1f} seconds of the processor, all threads together",
+                         static_cast<double>(std::clock()) / CLOCKS_PER_SEC));
   if (options.json) {
     print_json(power_json(report));
   } else {
@@ -177,7 +181,7 @@ void add_pilot_options(CLI::App& command, Options& options) {
       ->group("A pilot");
   command
       .add_option("--exclude", options.selection.exclude_file,
-                  "CSV of people to leave out: CODE,REASON")
+                  "CSV of people to leave out, as for a report")
       ->group("A pilot");
 }
 

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "analysis/format.h"
 
 namespace promenade::app {
@@ -49,9 +52,13 @@ Json table_json(const PowerReport& report, const PowerTable& table) {
 }
 
 Json people_json(const study::Tendencies& people) {
-  return {{"noise", people.noise},           {"learning", people.learning},
-          {"fatigue", people.fatigue},       {"difficulty", people.difficulty},
-          {"preference", people.preference}, {"aptitude", people.aptitude}, {"taste", people.taste}};
+  return {{"noise", people.noise},
+          {"learning", people.learning},
+          {"fatigue", people.fatigue},
+          {"difficulty", people.difficulty},
+          {"preference", people.preference},
+          {"aptitude", people.aptitude},
+          {"taste", people.taste}};
 }
 
 std::string percent(double share) { return fmt::format("{:.1f}", 100 * share); }
@@ -72,6 +79,33 @@ std::string row_text(const PowerReport& report, const PowerTable& table, const P
                      percent(row.alone.share()), optional_percent(row.paired_t),
                      optional_percent(row.sign_flips),
                      row.hl ? analysis::with_unit(table.measure, *row.hl) : "-");
+}
+
+// With n people the smallest exact p is 2 / 2^n, and Holm asks the first of m pairs for m times it.
+int fewest_that_can_find(double alpha, int pairs) {
+  int people = 1;
+  while (people < 60 && pairs * std::ldexp(1.0, 1 - people) > alpha) ++people;
+  return people;
+}
+
+// Of the task with the fewest; 0 where one pair alone was asked about.
+int fewest_pairs(const PowerReport& report) {
+  if (!report.effect.a.empty()) return 0;
+  const std::size_t sizes = std::max<std::size_t>(report.question.participants.size(), 1);
+  std::size_t fewest = report.tables.front().rows.size();
+  for (const PowerTable& table : report.tables) fewest = std::min(fewest, table.rows.size());
+  return static_cast<int>(fewest / sizes);
+}
+
+std::string too_few_text(const PowerReport& report) {
+  const int pairs = fewest_pairs(report);
+  const int fewest = fewest_that_can_find(report.question.alpha, pairs);
+  if (pairs == 0 || report.question.participants.front() >= fewest) return "";
+  return fmt::format(
+      "With fewer than {} people this test can find nothing: the smallest p that there is, times\n"
+      "{} for Holm, is above {}.\n",
+      fewest, analysis::count_of(pairs, "pair", "pairs"),
+      analysis::exact_number(report.question.alpha));
 }
 
 std::string pair_text(const PowerReport& report, const PowerTable& table, std::size_t first) {
@@ -142,6 +176,7 @@ std::string footing(const PowerReport& report) {
       "signs:\n"
       "two formulas for the test without Holm (docs/methods.md, 6).\n",
       analysis::exact_number(report.question.alpha));
+  text += too_few_text(report);
   if (report.round > 1) {
     text += fmt::format("* not balanced: plan with a multiple of {} people.\n", report.round);
   }

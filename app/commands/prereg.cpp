@@ -70,9 +70,12 @@ void run(const Options& options) {
 void add_prereg_command(CLI::App& program) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
-      program.add_subcommand("prereg", "a document to register before the first session");
+      program.add_subcommand("prereg", "A document to register before the first session");
   command->add_option("STUDY", options->study, "the study file (.toml or .study)")->required();
-  command->add_option("PLAN", options->plan, "the plan of its analysis (.toml)")->required();
+  command
+      ->add_option("PLAN", options->plan,
+                   "the plan of its analysis (.toml); docs/analysts.md shows one")
+      ->required();
   command->add_option("--out", options->out, "the document to write (.md or .html)")->required();
   command->callback([options] { run(*options); });
 }

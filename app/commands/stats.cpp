@@ -9,7 +9,7 @@ namespace promenade::app {
 
 void add_stats_command(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("stats", "runs every case of a vectors file through our statistics");
+      program.add_subcommand("stats", "Runs every case of a vectors file through our statistics");
   auto file = std::make_shared<std::string>();
   command->add_option("VECTORS.json", *file, "test vectors: {\"families\": {NAME: [cases]}}")
       ->required();

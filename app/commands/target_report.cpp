@@ -216,15 +216,49 @@ Json to_json(const TargetReport& report) {
   return json;
 }
 
+namespace {
+
+// Columns on a terminal, where a Japanese letter takes two: what {fmt} pads by.
+std::size_t width_of(const std::string& name) {
+  constexpr std::size_t plenty = 1000;
+  return plenty - (fmt::format("{:<{}}", name, plenty).size() - name.size());
+}
+
+struct NameWidths {
+  std::size_t task = 14, target = 14, interface = 14;
+};
+
+NameWidths widths_of(const std::vector<TargetReport>& reports) {
+  NameWidths widths;
+  for (const TargetReport& report : reports) {
+    widths.task = std::max(widths.task, width_of(report.task));
+    widths.target = std::max(widths.target, width_of(shown_name(report)));
+    for (const auto& [interface, reach] : report.reaches) {
+      widths.interface = std::max(widths.interface, width_of(interface));
+    }
+  }
+  return widths;
+}
+
+std::string names_text(const NameWidths& widths, const std::string& task, const std::string& target,
+                       const std::string& interface) {
+  return fmt::format("  {:<{}}  {:<{}}  {:<{}}  ", task, widths.task, target, widths.target,
+                     interface, widths.interface);
+}
+
+}  // namespace
+
 std::string targets_text(const std::vector<TargetReport>& reports) {
-  std::string text = fmt::format("  {:<16}{:<16}{:<16}{:>10}{:>10}{:>14}{:>14}\n", "task", "target",
-                                 "interface", "D start", "D best", "best example", "won by chance");
+  const NameWidths widths = widths_of(reports);
+  std::string text = names_text(widths, "task", "target", "interface") +
+                     fmt::format("{:>8}{:>10}{:>14}{:>15}\n", "D start", "D best", "best example",
+                                 "won by chance");
   for (const TargetReport& report : reports) {
     for (const auto& [interface, reach] : report.reaches) {
       text +=
-          fmt::format("  {:<16}{:<16}{:<16}{:>10.4f}{:>10.4f}{:>14.4f}", report.task,
-                      shown_name(report), interface, reach.start, reach.best, reach.best_example);
-      text += report.threshold_m ? fmt::format("{:>12.1f} %\n", 100 * reach.share_below) : "\n";
+          names_text(widths, report.task, shown_name(report), interface) +
+          fmt::format("{:>8.4f}{:>10.4f}{:>14.4f}", reach.start, reach.best, reach.best_example);
+      text += report.threshold_m ? fmt::format("{:>13.1f} %\n", 100 * reach.share_below) : "\n";
     }
   }
   return text;

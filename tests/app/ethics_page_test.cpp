@@ -79,7 +79,7 @@ TEST(EthicsPage, LetsNoTextBecomeMarkup) {
   EXPECT_FALSE(says(html, "<b>"));
   const std::string markdown = ethics_page(bundle, PageFormat::markdown);
   EXPECT_FALSE(says(markdown, "<script>"));
-  EXPECT_TRUE(says(markdown, "# &lt;script\\>alert\\(1\\)&lt;/script\\> &amp; \\| \\*more\\*\n"));
+  EXPECT_TRUE(says(markdown, "# &lt;script>alert(1)&lt;/script> &amp; \\| \\*more\\*\n"));
   EXPECT_FALSE(says(markdown, "\n# big"));
 }
 

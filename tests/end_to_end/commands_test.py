@@ -46,6 +46,21 @@ class Commands(ProgramTest):
         self.assertIn("--seed", result.stderr)
         self.assertEqual(self.left_behind(), [])
 
+    def test_a_mistyped_option_or_command_is_named_with_the_one_that_was_meant(self):
+        for command, words in (
+                (["report", "x.db", "--out", "r", "--exlude", "x.csv"],
+                 'promenade report: error: there is no option --exlude; did you mean "--exclude"?'),
+                (["repot", "x.db"], 'there is no command "repot"; did you mean "report"?'),
+                (["set", "biuld", "x"], 'there is no command "biuld"; did you mean "build"?'),
+                (["report", "x.db"], "promenade report: error: --out is required"),
+                (["prereg", "a", "b", "c", "--out", "d.md"], '"c" is one word too many')):
+            result = self.call(*command)
+            self.assertEqual(result.returncode, 2, command)
+            self.assertEqual(result.stdout, "")
+            self.assertIn(words, result.stderr)
+            self.assertIn("--help` lists", result.stderr)
+        self.assertEqual(self.left_behind(), [])
+
     def test_the_embedded_demo_is_in_order(self):
         result = self.call("check", "configs/demo.toml")
         self.assertEqual(result.returncode, 0, result.stderr)

@@ -129,7 +129,7 @@ class Page(unittest.TestCase):
                 self.assertLessEqual(after, before + 1)
             self.assertTrue(outline.alts and all(outline.alts))
             self.assertEqual(outline.tables, outline.captions)
-            self.assertEqual(outline.landmarks, ["header", "main", "nav"])
+            self.assertEqual(outline.landmarks, ["header", "main", "nav", "nav"])
             self.assertEqual(len(set(outline.ids)), len(outline.ids))
 
     def test_links_lead_somewhere(self):

@@ -34,8 +34,14 @@ class Power(ProgramTest):
         done = self.call("power", "walks.toml", "--participants", "7,8", "--studies", "5")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("REHEARSAL", done.stdout)
+        self.assertRegex(done.stderr, r"took [\d.]+ seconds of the processor")
         self.assertIn("7*", done.stdout)
         self.assertNotIn("8*", done.stdout)
+
+    def test_sizes_that_can_find_nothing_are_named(self):
+        few = self.call("power", "walks.toml", "--participants", "3,8", "--studies", "2")
+        self.assertIn("With fewer than 6 people this test can find nothing", few.stdout)
+        self.assertNotIn("With fewer than", self.power("--studies", "2").stdout)
 
     def test_json_does_not_depend_on_jobs(self):
         one = self.power("--studies", "8", "--json", "--jobs", "1", "--difficulty", "labels=3")

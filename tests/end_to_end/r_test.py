@@ -71,6 +71,7 @@ class AnalysisInR(unittest.TestCase):
     def check_same(self, folder, **environment):
         result = self.r(folder, **environment)
         self.assertEqual(result.returncode, 0, result.stderr[-2000:])
+        self.assertNotIn("introduced by coercion", result.stderr)
         count = len(rows_of(self.folder / folder / "tables" / "comparisons.csv"))
         self.assertIn(f"All {count} tests are the same in R", result.stdout)
         return result.stdout

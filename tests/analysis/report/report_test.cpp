@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "analysis/report/cells.h"
 #include "motion/files.h"
 #include "motion/problem.h"
 #include "tests/analysis/toy_log.h"
@@ -204,6 +205,42 @@ TEST(Report, RefersToNothingOutsideItself) {
   EXPECT_EQ(page.find("http"), std::string::npos);
   EXPECT_EQ(page.find("@import"), std::string::npos);
   EXPECT_EQ(page.find("url("), std::string::npos);
+}
+
+std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(Report, HasALineInItsContentsForEverySection) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  report(folder);
+  const std::string page = read_file(folder.file("out/report.html"));
+  const std::size_t start = page.find("aria-label=\"Contents\"");
+  ASSERT_NE(start, page.npos);
+  const std::string contents = page.substr(start, page.find("</nav>", start) - start);
+  EXPECT_EQ(occurrences(contents, "<li>"), occurrences(page, "<h2 id="));
+}
+
+TEST(Report, SaysNearTheTopWhereToReadWhoIsExcludedAndWhy) {
+  const TestFolder folder;
+  make(folder, "a.db", 6, 0.001);
+  write_file(folder.file("x.csv"), "code,reason,rule,date\nP2,slept,by hand,2026-11-01\n");
+  report(folder, {false, false, folder.file("x.csv")});
+  const std::string page = read_file(folder.file("out/report.html"));
+  EXPECT_LT(page.find("<a href=\"#excluded-participants\">1 excluded"),
+            page.find("id=\"figures\""));
+  EXPECT_LT(page.find("<h2 id=\"excluded-participants\""), page.find("by hand"));
+}
+
+TEST(Cells, FoldATableOfDetailsOnlyWhereItIsLong) {
+  HtmlTable table{"All of them. In full.", {"a"}, {{"1"}}, {}};
+  EXPECT_EQ(folded(table).code, wide(table).code);
+  table.rows.resize(100, {"1"});
+  EXPECT_NE(folded(table).code.find("<summary>Show 100 rows: All of them</summary>"),
+            std::string::npos);
 }
 
 TEST(Report, ShowsAStripeOnlyWhenSomethingIsSimulated) {

@@ -55,6 +55,15 @@ TEST(Sections, HoldForFewPeopleTiesAndThreeInterfaces) {
   }
 }
 
+TEST(Sections, LeaveOutAStartThatWasTheSameForAll) {
+  const TestFolder folder;
+  fill_three(folder, 6);
+  const Results results = results_of(folder);
+  const Section section = comparisons_section(results);
+  EXPECT_EQ(section.html.code.find(">D at the start<"), std::string::npos);
+  EXPECT_NE(section.html.code.find(">final D<"), std::string::npos);
+}
+
 TEST(Sections, HoldForOneInterface) {
   const TestFolder folder;
   { ToyLog(folder.file("a.db")).session({}).trial({}); }
