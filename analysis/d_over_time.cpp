@@ -5,6 +5,8 @@
 #include <map>
 
 #include "analysis/item.h"
+#include "motion/quantile.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
 
 namespace promenade::analysis {
@@ -34,7 +36,7 @@ std::vector<Trace> traces_of(const Results& results) {
   const auto& trials = results.data.trials;
   std::vector<Trace> traces(trials.size());
   for (int file = 0; file < size_of(results.log.files); ++file) {
-    study::Database database = open_database(item(results.log.files, file).file);
+    study::Database database = study::open_log(item(results.log.files, file).file);
     study::Statement samples(database,
                              "SELECT t_us, d FROM sample WHERE trial = ? ORDER BY t_us, rowid");
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -54,13 +56,6 @@ std::optional<double> d_at(const Trace& trace, double time_s) {
   return trace.d[static_cast<std::size_t>(after - trace.times_s.begin()) - 1];
 }
 
-double quantile_of_sorted(const std::vector<double>& sorted, double share) {
-  const double at = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 Curve curve_of(const std::vector<Trace>& traces, double end_s, int count) {
   Curve curve;
   for (const Trace& trace : traces) curve.trials += d_at(trace, 0) ? 1 : 0;
@@ -73,9 +68,9 @@ Curve curve_of(const std::vector<Trace>& traces, double end_s, int count) {
     }
     std::sort(d.begin(), d.end());
     curve.times_s.push_back(time);
-    curve.lower_quartile.push_back(quantile_of_sorted(d, 0.25));
-    curve.median.push_back(quantile_of_sorted(d, 0.5));
-    curve.upper_quartile.push_back(quantile_of_sorted(d, 0.75));
+    curve.lower_quartile.push_back(motion::quantile_of_sorted(d, 0.25));
+    curve.median.push_back(motion::quantile_of_sorted(d, 0.5));
+    curve.upper_quartile.push_back(motion::quantile_of_sorted(d, 0.75));
   }
   return curve;
 }

@@ -32,9 +32,6 @@ struct Curves {
   int paused = 0;             // trials left out because they stood still or were interrupted
 };
 
-// The quantile of sorted values as R has it by default (type 7); 0 <= share <= 1, values not empty.
-double quantile_of_sorted(const std::vector<double>& sorted, double share);
-
 // Curve of traces at `points` times from 0 to `end_s`; traces that begin later are left out.
 Curve curve_of(const std::vector<Trace>& traces, double end_s, int points);
 

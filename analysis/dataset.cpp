@@ -305,6 +305,14 @@ Dataset make_dataset(const Log& log, const Selection& selection) {
   return Builder(log, selection).build();
 }
 
+std::vector<double> present(const std::vector<std::optional<double>>& values) {
+  std::vector<double> result;
+  for (const auto& value : values) {
+    if (value) result.push_back(*value);
+  }
+  return result;
+}
+
 std::vector<std::optional<double>> mean_per_person(const Dataset& data, int measure, int interface,
                                                    int task, int target) {
   std::vector<double> sum(data.people.size(), 0.0);

@@ -84,6 +84,9 @@ struct Dataset {
 // not `analysed` are not in it.
 Dataset make_dataset(const Log& log, const Selection& selection);
 
+// The values that are there.
+std::vector<double> present(const std::vector<std::optional<double>>& values);
+
 // The mean of a measure per person over the trials with this interface in this
 // task and, unless it is -1, of this target; one entry for each person, nothing
 // where there is no value.

@@ -39,14 +39,6 @@ Turns turns_in(const Log& log, const Dataset& data, int task) {
   return turns;
 }
 
-std::vector<double> present(const PersonValues& values) {
-  std::vector<double> result;
-  for (const auto& value : values) {
-    if (value) result.push_back(*value);
-  }
-  return result;
-}
-
 // values[turn - 1] of one person.
 PersonValues by_turn(const std::vector<PersonValues>& of_interface, const Turns& turns,
                      int person) {

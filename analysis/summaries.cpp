@@ -1,11 +1,11 @@
 #include "analysis/summaries.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "analysis/failure_tests.h"
 #include "analysis/item.h"
 #include "analysis/statistics/median.h"
+#include "analysis/statistics/moments.h"
 #include "analysis/statistics/proportion.h"
 
 namespace promenade::analysis {
@@ -28,30 +28,6 @@ FailureRatio failures_at(const Dataset& data, int task, int target, int interfac
   return ratio;
 }
 
-std::vector<double> present(const std::vector<std::optional<double>>& values) {
-  std::vector<double> result;
-  for (const auto& value : values) {
-    if (value) result.push_back(*value);
-  }
-  return result;
-}
-
-struct Moments {
-  double mean = 0;
-  std::optional<double> sd;
-};
-
-Moments moments_of(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  double sum = 0;
-  for (const double value : values) sum += value;
-  Moments moments{sum / count, {}};
-  double squares = 0;
-  for (const double value : values) squares += (value - moments.mean) * (value - moments.mean);
-  if (values.size() > 1) moments.sd = std::sqrt(squares / (count - 1));
-  return moments;
-}
-
 void describe(Summary& summary) {
   const std::vector<double> values = present(summary.values);
   summary.n = size_of(values);
@@ -70,7 +46,7 @@ TargetSummary describe_at(const Dataset& data, TargetSummary place) {
   if (values.empty()) return place;
   const Moments moments = moments_of(values);
   place.n = size_of(values);
-  place.mean = moments.mean;
+  place.mean = *moments.mean;
   place.sd = moments.sd;
   place.median = *median_of(values);
   place.least = *std::min_element(values.begin(), values.end());

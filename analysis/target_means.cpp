@@ -3,7 +3,8 @@
 #include <set>
 
 #include "analysis/item.h"
-#include "analysis/statistics/mean.h"
+#include "analysis/statistics/differences.h"
+#include "analysis/statistics/moments.h"
 
 namespace promenade::analysis {
 namespace {
@@ -18,31 +19,14 @@ std::vector<int> places_of(const Dataset& data, int task) {
   return places;
 }
 
-std::vector<double> present(const Values& values) {
-  std::vector<double> result;
-  for (const auto& value : values) {
-    if (value) result.push_back(*value);
-  }
-  return result;
-}
-
-std::vector<double> differences(const Values& a, const Values& b) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i] && b[i]) result.push_back(*a[i] - *b[i]);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<TargetMean> target_means(const Dataset& data, int measure, int task) {
   std::vector<TargetMean> means;
   for (const int target : places_of(data, task)) {
     for (int i = 0; i < size_of(data.interfaces); ++i) {
-      const auto values = present(mean_per_person(data, measure, i, task, target));
-      const auto all = mean_and_sd(values);
-      if (all) means.push_back({i, target, size_of(values), all->mean, all->sd});
+      const Moments all = moments_of(present(mean_per_person(data, measure, i, task, target)));
+      if (all.mean) means.push_back({i, target, all.n, *all.mean, all.sd});
     }
   }
   return means;
@@ -55,9 +39,9 @@ std::vector<MeanDifference> mean_differences(const Dataset& data, int measure, i
     const Values base = mean_per_person(data, measure, reference, task, target);
     for (int i = 0; i < size_of(data.interfaces); ++i) {
       if (i == reference) continue;
-      const auto d = differences(mean_per_person(data, measure, i, task, target), base);
-      const auto all = mean_and_sd(d);
-      if (all) result.push_back({i, target, size_of(d), all->mean, mean_interval(d, 0.90)});
+      const Values values = mean_per_person(data, measure, i, task, target);
+      const Moments all = moments_of(paired_differences(values, base).values, 0.90);
+      if (all.mean) result.push_back({i, target, all.n, *all.mean, all.mean_ci});
     }
   }
   return result;

@@ -83,6 +83,7 @@ std::vector<double> mean_replicates(const std::vector<double>& x, int count, Pla
   return result;
 }
 
+// As motion::quantile_of_sorted, but never out of the range of a double in between.
 double quantile_of_sorted(const std::vector<double>& sorted, double p) {
   const double place = p * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(place);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/d_over_time.h"
-#include "analysis/statistics/mean.h"
+#include "analysis/statistics/moments.h"
+#include "motion/quantile.h"
 
 namespace promenade::analysis {
 namespace {
@@ -12,7 +12,8 @@ namespace {
 constexpr double root_two_pi = 2.5066282746310002;
 
 double bandwidth_of(const std::vector<double>& sorted, double sd) {
-  const double iqr = quantile_of_sorted(sorted, 0.75) - quantile_of_sorted(sorted, 0.25);
+  const double iqr =
+      motion::quantile_of_sorted(sorted, 0.75) - motion::quantile_of_sorted(sorted, 0.25);
   const double spread = iqr > 0 ? std::min(sd, iqr / 1.34) : sd;
   return 0.9 * spread * std::pow(static_cast<double>(sorted.size()), -0.2);
 }
@@ -32,7 +33,7 @@ std::optional<KernelDensity> kernel_density(const std::vector<double>& values, i
   if (values.size() < 2) return std::nullopt;
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
-  const double sd = mean_and_sd(sorted)->sd.value_or(0);
+  const double sd = moments_of(sorted).sd.value_or(0);
   const double extent = sorted.back() - sorted.front();
   if (!(extent > 0) || !(sd > 0)) return std::nullopt;
   KernelDensity result;

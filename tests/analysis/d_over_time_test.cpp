@@ -17,16 +17,6 @@ TEST(Trace, HoldsItsLastValueAndHasNoneBeforeTheFirst) {
   EXPECT_FALSE(d_at({}, 1));
 }
 
-// R: quantile(c(1, 2, 4, 8, 16), c(.25, .5, .75, .1)) is 2, 4, 8, 1.4.
-TEST(Quantile, IsThatOfR) {
-  const std::vector<double> x = {1, 2, 4, 8, 16};
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(x, 0.25), 2);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(x, 0.75), 8);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(x, 0.1), 1.4);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted({7}, 0.3), 7);
-  EXPECT_DOUBLE_EQ(quantile_of_sorted(x, 1), 16);
-}
-
 TEST(Curve, IsTheMedianAndTheQuartilesAtEachTime) {
   const std::vector<Trace> traces = {
       {{0, 2}, {5, 1}}, {{0}, {4}}, {{0, 1}, {3, 0}}, {{1}, {100}}, {}};

@@ -15,6 +15,14 @@ TEST(Moments, AgreeWithR) {
   EXPECT_NEAR(moments.mean_ci->upper, 7.453104, 1e-6);
 }
 
+// R: x <- c(3.1, 4.7, 1.2, 9.9, 5); t.test(x, conf.level = 0.90)$conf.int; sd(x)
+TEST(Moments, HaveTheIntervalOfAnotherLevel) {
+  const Moments moments = moments_of({3.1, 4.7, 1.2, 9.9, 5}, 0.90);
+  EXPECT_NEAR(moments.mean_ci->lower, 1.69404592265764, 1e-10);
+  EXPECT_NEAR(moments.mean_ci->upper, 7.86595407734236, 1e-10);
+  EXPECT_NEAR(*moments.sd, 3.23681942653587, 1e-12);
+}
+
 TEST(Moments, OfOneValueHaveNoSpread) {
   const Moments moments = moments_of({3});
   EXPECT_EQ(*moments.mean, 3);
