@@ -4,13 +4,11 @@
 #include <cstring>
 #include <map>
 #include <numeric>
-#include <optional>
 
 #include "analysis/item.h"
-#include "motion/problem.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
-#include "study/stored_study.h"
-#include "study/versions.h"
+#include "study/study.h"
 
 namespace promenade::analysis {
 namespace {
@@ -27,7 +25,7 @@ class Reader {
  public:
   Reader(const std::string& file, const study::StudyBundle& bundle)
       : bundle_(bundle),
-        database_(open_database(file)),
+        database_(study::open_log(file)),
         set_(database_, set_query),
         samples_(database_,
                  "SELECT t_us, weights FROM sample WHERE trial = ? ORDER BY t_us, rowid"),
@@ -98,19 +96,6 @@ void read_trials(const Log& log, const Dataset& data, const study::StudyBundle& 
   }
 }
 
-// Nothing when this program cannot read it.
-std::optional<study::StudyBundle> newest_study(const std::string& file,
-                                               const study::InterfaceRegistry& registry) {
-  study::Database database = open_database(file);
-  const std::vector<study::StudyVersion> versions = study::study_versions(database);
-  if (versions.empty()) return std::nullopt;
-  try {
-    return study::read_stored_study(database, versions.back().uuid, registry);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
 }  // namespace
 
 double MapTime::total_s() const {
@@ -128,19 +113,18 @@ void add_time(const std::vector<Shown>& shown, std::int64_t ended_us, MapTime& t
   }
 }
 
-MapTimes map_times(const Log& log, const Dataset& data, const study::InterfaceRegistry& registry) {
+MapTimes map_times(const Log& log, const Dataset& data, const study::StudyBundle* stored) {
   MapTimes result;
-  const std::optional<study::StudyBundle> bundle = newest_study(item(log.files, 0).file, registry);
-  if (!bundle) {
+  if (!stored) {
     result.missing =
         "Where on the map people spent their time, and how alike the motions are, is not drawn: "
         "this program cannot read the stored study.";
     return result;
   }
-  result.map = bundle->coverage;
-  result.names = motion::names_of(bundle->space.set);
-  result.tree = motion::ward(bundle->space.offsets.topRows(bundle->space.shape_rows()));
-  read_trials(log, data, *bundle, result);
+  result.map = stored->coverage;
+  result.names = motion::names_of(stored->space.set);
+  result.tree = motion::ward(stored->space.offsets.topRows(stored->space.shape_rows()));
+  read_trials(log, data, *stored, result);
   return result;
 }
 

@@ -13,8 +13,7 @@
 #include "study/process_measures.h"
 
 namespace promenade::study {
-class Database;
-class InterfaceRegistry;
+struct StudyBundle;
 }  // namespace promenade::study
 
 namespace promenade::analysis {
@@ -50,8 +49,8 @@ struct Shown {
 // Each moment lasts until the next, the last one until `ended_us`.
 void add_time(const std::vector<Shown>& shown, std::int64_t ended_us, MapTime& time);
 
-// With the motions of the newest version of the study in the first database. Opens the
+// With the motions of the study as a database holds it; null: it cannot be read. Opens the
 // databases of the log again, read-only. Throws InputError when they are gone.
-MapTimes map_times(const Log& log, const Dataset& data, const study::InterfaceRegistry& registry);
+MapTimes map_times(const Log& log, const Dataset& data, const study::StudyBundle* stored);
 
 }  // namespace promenade::analysis

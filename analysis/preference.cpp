@@ -8,22 +8,15 @@
 #include "analysis/statistics/p_adjust.h"
 #include "analysis/statistics/proportion.h"
 #include "analysis/statistics/sign_test.h"
-#include "study/outline.h"
-#include "study/sqlite.h"
 
 namespace promenade::analysis {
 namespace {
 
-constexpr const char* preference_query =
-    "SELECT session, text, value FROM answer WHERE instrument = 'preference' "
-    "AND item = 'preferred' AND declined = 0 AND touched = 1 ORDER BY session, t_us";
-
 // The words of the answer, or the name of that number in the study.
-std::string name_in(const study::Statement& row, const std::vector<std::string>& interfaces) {
-  if (!row.text(1).empty()) return row.text(1);
-  const double number = row.is_null(2) ? 0 : row.real(2);
+std::string name_in(const study::ItemAnswer& answer, const std::vector<std::string>& interfaces) {
+  if (!answer.text.empty()) return answer.text;
   for (int i = 0; i < size_of(interfaces); ++i) {
-    if (number == i + 1) return item(interfaces, i);
+    if (answer.value == i + 1) return item(interfaces, i);
   }
   return "";
 }
@@ -66,20 +59,17 @@ Preference preference_of(std::vector<std::string> interfaces,
   return preference;
 }
 
-std::vector<std::string> preferred(const std::vector<std::string>& databases, const Log& log,
-                                   const Selection& selection) {
-  const std::vector<std::string> interfaces = study::outline_of(log.config_text).interfaces;
-  std::map<std::string, std::string> name_of;  // by session; the last one stays
-  for (const std::string& file : databases) {
-    study::Database database = open_database(file);
-    study::Statement row(database, preference_query);
-    while (row.step()) name_of[row.text(0)] = name_in(row, interfaces);
+std::vector<std::string> preferred(const std::vector<FilledPage>& pages,
+                                   const std::vector<std::string>& interfaces) {
+  std::map<int, std::string> name_of;  // by person; the last one stays
+  for (const FilledPage& page : pages) {
+    const auto answer = page.answers.find("preferred");
+    if (page.instrument != "preference" || answer == page.answers.end()) continue;
+    if (!answer->second.declined) name_of[page.person] = name_in(answer->second, interfaces);
   }
   std::vector<std::string> names;
-  for (const Person& person : selection.people) {
-    if (person.disposition != Disposition::analysed) continue;
-    const auto found = name_of.find(item(log.sessions, person.session).uuid);
-    if (found != name_of.end() && !found->second.empty()) names.push_back(found->second);
+  for (const auto& [person, name] : name_of) {
+    if (!name.empty()) names.push_back(name);
   }
   return names;
 }

@@ -5,9 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/dataset.h"
-#include "analysis/log.h"
-#include "analysis/selection.h"
+#include "analysis/questionnaires.h"
 #include "analysis/statistics/interval.h"
 #include "analysis/statistics/multinomial.h"
 
@@ -33,9 +31,9 @@ struct Preference {
 Preference preference_of(std::vector<std::string> interfaces,
                          const std::vector<std::string>& names);
 
-// What those who are analysed answered, the last answer of each. Databases as for read_log;
-// throws InputError and DatabaseError as open_database.
-std::vector<std::string> preferred(const std::vector<std::string>& databases, const Log& log,
-                                   const Selection& selection);
+// What people answered, the last answer of each, by person. `interfaces`: all of the study, in its
+// order, for answers without words.
+std::vector<std::string> preferred(const std::vector<FilledPage>& pages,
+                                   const std::vector<std::string>& interfaces);
 
 }  // namespace promenade::analysis

@@ -8,8 +8,6 @@
 
 #include "analysis/item.h"
 #include "analysis/statistics/median.h"
-#include "study/migrate.h"
-#include "study/stored_study.h"
 
 namespace promenade::analysis {
 namespace {
@@ -40,14 +38,6 @@ PersonValues means(const Pages& pages, std::size_t people, const Function& numbe
     if (count[i] > 0) values[i] = sum[i] / count[i];
   }
   return values;
-}
-
-std::vector<double> present(const PersonValues& values) {
-  std::vector<double> result;
-  for (const auto& value : values) {
-    if (value) result.push_back(*value);
-  }
-  return result;
 }
 
 // Does a score weigh its items alike, so that alpha is about it?
@@ -268,29 +258,6 @@ std::vector<QuestionnaireResult> questionnaire_results(const std::vector<FilledP
     results.push_back(Maker(group, instrument, data).make());
   }
   return results;
-}
-
-std::vector<QuestionnaireResult> read_questionnaires(const std::vector<std::string>& files,
-                                                     const Log& log, const Selection& selection,
-                                                     const Dataset& data) {
-  std::vector<FilledPage> pages;
-  std::vector<Instrument> instruments;
-  for (int file = 0; file < size_of(files); ++file) {
-    try {
-      study::Database database = study::open_log(item(files, file));
-      for (FilledPage& page : filled_pages(database, log, selection, file)) {
-        pages.push_back(std::move(page));
-      }
-      for (Instrument& one : study::stored_instruments(database)) {
-        if (!find_instrument(instruments, one.name, one.version)) {
-          instruments.push_back(std::move(one));
-        }
-      }
-    } catch (const study::DatabaseError& error) {
-      refuse_content(item(files, file), error);
-    }
-  }
-  return questionnaire_results(pages, instruments, data);
 }
 
 }  // namespace promenade::analysis

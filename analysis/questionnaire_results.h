@@ -81,10 +81,4 @@ std::vector<QuestionnaireResult> questionnaire_results(
     const std::vector<FilledPage>& pages, const std::vector<study::Instrument>& instruments,
     const Dataset& data);
 
-// Of people who count, from all files of the log: opens each again, read-only. Throws InputError
-// as read_log does.
-std::vector<QuestionnaireResult> read_questionnaires(const std::vector<std::string>& files,
-                                                     const Log& log, const Selection& selection,
-                                                     const Dataset& data);
-
 }  // namespace promenade::analysis

@@ -5,7 +5,9 @@
 
 #include "analysis/columns.h"
 #include "analysis/item.h"
+#include "study/migrate.h"
 #include "study/sqlite.h"
+#include "study/stored_study.h"
 
 namespace promenade::analysis {
 namespace {
@@ -88,6 +90,26 @@ std::optional<double> score_of_page(const FilledPage& page, const study::Instrum
     answers.push_back(found == page.answers.end() ? study::ItemAnswer{} : found->second);
   }
   return study::score_of(instrument, score, answers);
+}
+
+Questionnaires read_questionnaires(const Log& log, const Selection& selection) {
+  Questionnaires all;
+  for (int file = 0; file < size_of(log.files); ++file) {
+    const std::string& name = item(log.files, file).file;
+    try {
+      study::Database database = study::open_log(name);
+      for (FilledPage& page : filled_pages(database, log, selection, file)) {
+        all.pages.push_back(std::move(page));
+      }
+      for (study::Instrument& one : study::stored_instruments(database)) {
+        if (find_instrument(all.instruments, one.name, one.version)) continue;
+        all.instruments.push_back(std::move(one));
+      }
+    } catch (const study::DatabaseError& error) {
+      refuse_content(name, error);
+    }
+  }
+  return all;
 }
 
 }  // namespace promenade::analysis

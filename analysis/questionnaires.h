@@ -28,6 +28,15 @@ struct FilledPage {
 std::vector<FilledPage> filled_pages(study::Database& database, const Log& log,
                                      const Selection& selection, int file = 0);
 
+// What people who count filled in, and the instruments of all versions of the study, each once.
+struct Questionnaires {
+  std::vector<FilledPage> pages;
+  std::vector<study::Instrument> instruments;
+};
+
+// From all files of the log: opens each again, read-only. Throws InputError as read_log does.
+Questionnaires read_questionnaires(const Log& log, const Selection& selection);
+
 // Null: none of this name and version.
 const study::Instrument* find_instrument(const std::vector<study::Instrument>& instruments,
                                          std::string_view name, std::string_view version);

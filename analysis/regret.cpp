@@ -4,10 +4,7 @@
 
 #include "analysis/item.h"
 #include "analysis/parallel.h"
-#include "motion/problem.h"
 #include "study/reach_models.h"
-#include "study/stored_study.h"
-#include "study/versions.h"
 
 namespace promenade::analysis {
 namespace {
@@ -67,16 +64,12 @@ std::optional<double> Reachability::best(const std::string& task, const std::str
   return std::nullopt;
 }
 
-Reachability find_reachable(study::Database& database, const study::InterfaceRegistry& registry) {
-  const std::vector<study::StudyVersion> versions = study::study_versions(database);
-  if (versions.empty()) return {{}, "The database holds no study."};
-  try {
-    return search_all(study::read_stored_study(database, versions.back().uuid, registry), registry);
-  } catch (const InputError&) {
-    return {{},
-            "What each interface can reach could not be found, and there is no regret: this "
-            "program cannot read the stored study."};
-  }
+Reachability find_reachable(const study::StudyBundle* stored,
+                            const study::InterfaceRegistry& registry) {
+  if (stored) return search_all(*stored, registry);
+  return {{},
+          "What each interface can reach could not be found, and there is no regret: this program "
+          "cannot read the stored study."};
 }
 
 void add_regret(const Reachability& reachability, Dataset& data) {

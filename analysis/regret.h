@@ -9,8 +9,8 @@
 #include "analysis/dataset.h"
 
 namespace promenade::study {
-class Database;
 class InterfaceRegistry;
+struct StudyBundle;
 }  // namespace promenade::study
 
 namespace promenade::analysis {
@@ -30,9 +30,10 @@ struct Reachability {
                              const std::string& interface) const;
 };
 
-// Of the newest version of the study in the database, from the very motions in it. The same
-// every time. Targets drawn anew for each participant have none.
-Reachability find_reachable(study::Database& database, const study::InterfaceRegistry& registry);
+// Of the study as a database holds it, from the very motions in it; null: it cannot be read. The
+// same every time. Targets drawn anew for each participant have none.
+Reachability find_reachable(const study::StudyBundle* stored,
+                            const study::InterfaceRegistry& registry);
 
 // The measure `regret`, metres: final D minus the best that the interface can reach. A person
 // can be a little better than the search was, so that it is below zero. Nothing is added when

@@ -2,7 +2,10 @@
 
 #include "analysis/format.h"
 #include "motion/problem.h"
+#include "study/migrate.h"
+#include "study/outline.h"
 #include "study/sqlite.h"
+#include "study/stored_study.h"
 
 namespace promenade::analysis {
 namespace {
@@ -63,10 +66,12 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     throw InputError(all_names(databases), nothing_to_report(results.selection));
   }
   if (registry) {
-    study::Database database = open_database(databases[0]);
-    results.reachability = find_reachable(database, *registry);
+    study::Database database = study::open_log(databases[0]);
+    const auto stored = study::read_newest_study(database, *registry);
+    const study::StudyBundle* bundle = stored ? &*stored : nullptr;
+    results.reachability = find_reachable(bundle, *registry);
     add_regret(results.reachability, results.data);
-    results.map_times = map_times(results.log, results.data, *registry);
+    results.map_times = map_times(results.log, results.data, bundle);
   }
   results.comparisons = compare_all(results.data, progress);
   results.failures = failure_ratios(results.data);
@@ -75,15 +80,16 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.quality = quality_of(results.log, results.selection, results.data);
   results.deviations = deviations_of(results.log, results.selection);
   results.order = order_effects_of(results.log, results.data);
-  results.questionnaires =
-      read_questionnaires(databases, results.log, results.selection, results.data);
+  const Questionnaires filled = read_questionnaires(results.log, results.selection);
+  results.questionnaires = questionnaire_results(filled.pages, filled.instruments, results.data);
   results.sensitivity = sensitivity_of(results.log, options, results.selection, results.data);
   results.target_summaries = target_summaries(results.data);
   results.omnibus = omnibus_tests(results.data);
   results.failure_tests = failure_tests(results.data);
   results.times = task_times(results.data);
   results.preference =
-      preference_of(results.data.interfaces, preferred(databases, results.log, results.selection));
+      preference_of(results.data.interfaces,
+                    preferred(filled.pages, study::outline_of(results.log.config_text).interfaces));
   return results;
 }
 

@@ -52,9 +52,8 @@ struct Results {
   std::vector<const Summary*> summaries_of(int measure, int task) const;
 };
 
-// Reads the databases and runs every test. Without `registry` there is no regret and
-// no map. Throws
-// InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
+// Reads the databases and runs every test. Without `registry` there is no regret and no map.
+// Throws InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
                         const Progress& progress = {},
                         const study::InterfaceRegistry* registry = nullptr);

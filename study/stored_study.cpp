@@ -6,6 +6,7 @@
 #include "study/load_study.h"
 #include "study/outline.h"
 #include "study/sqlite.h"
+#include "study/versions.h"
 
 namespace promenade::study {
 namespace {
@@ -88,6 +89,17 @@ StudyBundle read_stored_study(Database& database, const std::string& study_uuid,
   StudyBundle bundle = read_frozen_study(database.file(), frozen, registry);
   bundle.sha256 = row.text(1);
   return bundle;
+}
+
+std::optional<StudyBundle> read_newest_study(Database& database,
+                                             const InterfaceRegistry& registry) {
+  const std::vector<StudyVersion> versions = study_versions(database);
+  if (versions.empty()) return std::nullopt;
+  try {
+    return read_stored_study(database, versions.back().uuid, registry);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace promenade::study

@@ -2,6 +2,7 @@
 // the very motions, whatever has become of the files since.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "study/study.h"
@@ -20,5 +21,8 @@ StudyBundle read_stored_study(Database& database, const std::string& study_uuid,
 // version once. One that this program cannot read any more is not among them. Of [[rating]]
 // the names of the items are known, and that they are scales.
 std::vector<Instrument> stored_instruments(Database& database);
+
+// The newest version. Nothing where the database has none, or this program cannot read it.
+std::optional<StudyBundle> read_newest_study(Database& database, const InterfaceRegistry& registry);
 
 }  // namespace promenade::study

@@ -7,6 +7,8 @@
 namespace promenade::analysis {
 namespace {
 
+const std::vector<std::string> study_interfaces = {"weights", "labels"};  // of ToyLog::config
+
 std::vector<std::string> votes(int map, int labels, int weights = 0) {
   std::vector<std::string> names(static_cast<std::size_t>(map), "map");
   names.insert(names.end(), static_cast<std::size_t>(labels), "labels");
@@ -62,7 +64,7 @@ TEST(Preference, IsTheLastAnswerOfThoseWhoCount) {
     answer(log, "4", "labels", 5);
   }
   const Log log = read_log({folder.file("a.db")});
-  const auto names = preferred({folder.file("a.db")}, log, select(log, {}));
+  const auto names = preferred(read_questionnaires(log, select(log, {})).pages, study_interfaces);
   EXPECT_EQ(names, (std::vector<std::string>{"weights", "labels"}));
 }
 
@@ -74,7 +76,7 @@ TEST(Preference, IsTheInterfaceOfThatNumberWhereTheAnswerHasNoWords) {
     answer(log, "1", "", 5);
   }
   const Log log = read_log({folder.file("a.db")});
-  EXPECT_EQ(preferred({folder.file("a.db")}, log, select(log, {})),
+  EXPECT_EQ(preferred(read_questionnaires(log, select(log, {})).pages, study_interfaces),
             std::vector<std::string>{"weights"})
       << "the first of the study";
 }

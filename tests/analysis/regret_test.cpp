@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "study/interface.h"
+#include "study/stored_study.h"
 #include "tests/analysis/toy_log.h"
 
 namespace promenade::analysis {
@@ -37,8 +38,11 @@ TEST(Regret, IsNoMeasureWhereNothingCanBeFound) {
 
 TEST(Regret, SaysThatAStoredStudyCannotBeRead) {
   const TestFolder folder;
-  ToyLog log(folder.file("toy.db"));
-  const Reachability found = find_reachable(log.database(), study::InterfaceRegistry());
+  ToyLog log(folder.file("toy.db"));  // its study names no motions
+  const study::InterfaceRegistry registry;
+  const auto stored = study::read_newest_study(log.database(), registry);
+  ASSERT_FALSE(stored);
+  const Reachability found = find_reachable(nullptr, registry);
   EXPECT_TRUE(found.rows.empty());
   EXPECT_NE(found.missing.find("cannot read the stored study"), std::string::npos);
 }
