@@ -30,33 +30,71 @@ double shared_area(const Rectangle& a, const Rectangle& b) {
 
 double area(const Rectangle& a) { return 4 * a.half.x() * a.half.y(); }
 
+// What dots and labels cover, in the order in which the labels are placed.
+class Sheet {
+ public:
+  Sheet(const Matrix2Xd& dots, double radius, const LabelRoom& room)
+      : radius_(radius), inside_{0.5 * (room.low + room.high), 0.5 * (room.high - room.low)} {
+    for (const auto& dot : dots.colwise()) taken_.push_back({dot, Vector2d::Constant(radius)});
+  }
+
+  struct Place {
+    Rectangle label;
+    double cost = std::numeric_limits<double>::infinity();  // what it covers and leaves, an area
+  };
+
+  // The best of the places around a dot; of equal ones the first.
+  Place best_around(const Vector2d& dot, const Vector2d& half) const {
+    Place best{{dot, half}};
+    for (const double gap : {1.7 * radius_, 3.4 * radius_}) {
+      for (const auto& [x, y] : places) {
+        const Vector2d away = Vector2d(x, y).cwiseProduct(half + Vector2d::Constant(gap));
+        const Rectangle label{dot + away, half};
+        double cost = 2 * (area(label) - shared_area(label, inside_));
+        for (const Rectangle& other : taken_) cost += shared_area(label, other);
+        if (cost <= best.cost - rounding) best = {label, cost};
+      }
+    }
+    return best;
+  }
+
+  void take(const Rectangle& label) { taken_.push_back(label); }
+
+ private:
+  double radius_;
+  Rectangle inside_;
+  std::vector<Rectangle> taken_;
+};
+
+Vector2d half_of(double width, double height) { return {0.5 * width, 0.5 * height}; }
+
 }  // namespace
 
 std::vector<LabelSpot> place_labels(const Matrix2Xd& dots, const std::vector<double>& widths,
                                     double height, double radius, const LabelRoom& room) {
-  const Rectangle inside{0.5 * (room.low + room.high), 0.5 * (room.high - room.low)};
-  std::vector<Rectangle> taken;
-  for (const auto& dot : dots.colwise()) {
-    taken.push_back({dot, Vector2d::Constant(radius)});
-  }
+  Sheet sheet(dots, radius, room);
   std::vector<LabelSpot> spots;
   for (Index i = 0; i < dots.cols(); ++i) {
-    const Vector2d half(0.5 * widths[static_cast<std::size_t>(i)], 0.5 * height);
-    Rectangle best{dots.col(i), half};
-    double least = std::numeric_limits<double>::infinity();
-    for (const double gap : {1.7 * radius, 3.4 * radius}) {
-      for (const auto& [x, y] : places) {
-        const Vector2d away = Vector2d(x, y).cwiseProduct(half + Vector2d::Constant(gap));
-        const Rectangle label{dots.col(i) + away, half};
-        double cost = 2 * (area(label) - shared_area(label, inside));
-        for (const Rectangle& other : taken) cost += shared_area(label, other);
-        if (cost > least - rounding) continue;  // of equal places the first
-        least = cost;
-        best = label;
-      }
-    }
-    taken.push_back(best);
-    spots.push_back({best.middle});
+    const double width = widths[static_cast<std::size_t>(i)];
+    const Sheet::Place best = sheet.best_around(dots.col(i), half_of(width, height));
+    sheet.take(best.label);
+    spots.push_back({best.label.middle});
+  }
+  return spots;
+}
+
+std::vector<std::optional<LabelSpot>> place_labels_with_room(const Matrix2Xd& dots,
+                                                             const std::vector<double>& widths,
+                                                             double height, double radius,
+                                                             const LabelRoom& room) {
+  Sheet sheet(dots, radius, room);
+  std::vector<std::optional<LabelSpot>> spots(static_cast<std::size_t>(dots.cols()));
+  for (Index i = 0; i < dots.cols(); ++i) {
+    const double width = widths[static_cast<std::size_t>(i)];
+    const Sheet::Place best = sheet.best_around(dots.col(i), half_of(width, height));
+    if (best.cost > rounding) continue;
+    sheet.take(best.label);
+    spots[static_cast<std::size_t>(i)] = LabelSpot{best.label.middle};
   }
   return spots;
 }

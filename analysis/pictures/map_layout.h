@@ -1,7 +1,8 @@
-// Where things stand in a picture of dots with names: pure geometry, in pixels.
+// Where things stand in a picture of dots with names: pure geometry, in pixels or any other unit.
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 namespace promenade::analysis {
@@ -20,5 +21,12 @@ struct LabelRoom {
 // it, and leaves the room least.
 std::vector<LabelSpot> place_labels(const Eigen::Matrix2Xd& dots, const std::vector<double>& widths,
                                     double height, double radius, const LabelRoom& room);
+
+// The same, but a name that would cover something or leave the room has none, and is in nobody's
+// way.
+std::vector<std::optional<LabelSpot>> place_labels_with_room(const Eigen::Matrix2Xd& dots,
+                                                             const std::vector<double>& widths,
+                                                             double height, double radius,
+                                                             const LabelRoom& room);
 
 }  // namespace promenade::analysis

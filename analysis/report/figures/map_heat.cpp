@@ -6,8 +6,8 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/pictures/map_layout.h"
 #include "analysis/report/figures/kinds.h"
-#include "analysis/report/figures/label_places.h"
 #include "analysis/report/figures/style.h"
 #include "analysis/report/gnuplot.h"
 
@@ -17,6 +17,7 @@ namespace {
 using Group = std::vector<const MapTime*>;
 
 constexpr double small_points = 6;  // type of names in the map
+constexpr double dot_mm = 0.5;      // radius of an example
 constexpr const char* small_font = "font 'Noto Sans,6'";
 constexpr double edge_mm = 3, gap_mm = 4;
 constexpr double head_mm = 8.5;  // over a panel: its interface and its time
@@ -113,15 +114,27 @@ Table examples_in(const MapTimes& times, const std::string& name) {
   return table;
 }
 
-std::vector<Dot> dots_in(const MapTimes& times, const Sheet& sheet) {
-  std::vector<Dot> dots;
+// The examples in a panel of the sheet, their names, and where those have room; millimetres.
+struct Names {
+  Eigen::Matrix2Xd dots;
+  std::vector<std::string> texts;
+  std::vector<double> widths;
+  std::vector<std::optional<LabelSpot>> spots;
+};
+
+Names names_on(const MapTimes& times, const Sheet& sheet) {
+  Names names;
+  names.dots.resize(2, size_of(times.names));
   for (int i = 0; i < size_of(times.names); ++i) {
     const Eigen::RowVector2d at = times.map.examples.row(i);
-    dots.push_back({in_cells(times.map, at(0), 0) / map_cells * sheet.panel_mm,
-                    in_cells(times.map, at(1), 1) / map_cells * sheet.panel_height_mm,
-                    fitted(item(times.names, i), 12)});
+    names.dots.col(i) << in_cells(times.map, at(0), 0) / map_cells * sheet.panel_mm,
+        in_cells(times.map, at(1), 1) / map_cells * sheet.panel_height_mm;
+    names.texts.push_back(fitted(item(times.names, i), 12));
+    names.widths.push_back(text_mm(names.texts.back()) * small_points / 8);
   }
-  return dots;
+  names.spots = place_labels_with_room(names.dots, names.widths, small_points * 25.4 / 72, dot_mm,
+                                       {{0, 0}, {sheet.panel_mm, sheet.panel_height_mm}});
+  return names;
 }
 
 std::string label(const std::string& text, double x, double y, const std::string& more) {
@@ -153,15 +166,13 @@ std::string panel_frame(const Results& results, const MapTime& one, const Sheet&
          label(time, x, top + 1.7, std::string("left tc rgb '#444444' ") + small_font);
 }
 
-std::string names_in_panel(const std::vector<Dot>& dots,
-                           const std::vector<std::optional<LabelPlace>>& places, const Sheet& sheet,
-                           int panel) {
+std::string names_in_panel(const Names& names, const Sheet& sheet, int panel) {
   std::string commands;
-  for (std::size_t i = 0; i < dots.size(); ++i) {
-    if (!places[i]) continue;
-    commands +=
-        label(dots[i].name, sheet.left(panel) + places[i]->left_mm,
-              sheet.below(panel) + places[i]->middle_mm, std::string("left front ") + small_font);
+  for (std::size_t i = 0; i < names.texts.size(); ++i) {
+    if (!names.spots[i]) continue;
+    const Eigen::Vector2d middle = names.spots[i]->at;
+    commands += label(names.texts[i], sheet.left(panel) + middle.x() - names.widths[i] / 2,
+                      sheet.below(panel) + middle.y(), std::string("left front ") + small_font);
   }
   return commands;
 }
@@ -197,10 +208,9 @@ std::string functions(const Sheet& sheet) {
 }
 
 std::string setup_of(const Results& results, const Group& group, const Sheet& sheet, int& named) {
-  const std::vector<Dot> dots = dots_in(results.map_times, sheet);
-  const auto places = label_places(dots, sheet.panel_mm, sheet.panel_height_mm, small_points);
-  named = static_cast<int>(
-      std::count_if(places.begin(), places.end(), [](const auto& place) { return place; }));
+  const Names names = names_on(results.map_times, sheet);
+  named = static_cast<int>(std::count_if(names.spots.begin(), names.spots.end(),
+                                         [](const auto& spot) { return spot.has_value(); }));
   std::string setup = fmt::format(
       "set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\n"
       "set tmargin at screen 1\nset xrange [0:{}]\nset yrange [0:{}]\n"
@@ -209,7 +219,7 @@ std::string setup_of(const Results& results, const Group& group, const Sheet& sh
   setup += functions(sheet) + legend(sheet.width_mm);
   for (int panel = 0; panel < size_of(group); ++panel) {
     setup += panel_frame(results, *item(group, panel), sheet, panel) +
-             names_in_panel(dots, places, sheet, panel);
+             names_in_panel(names, sheet, panel);
   }
   return setup;
 }
