@@ -28,7 +28,7 @@ int task_named(const Dataset& data, const std::string& name) {
 SensitivityResult result_of(const Comparison& from) {
   SensitivityResult result{from.measure, from.task, from.a,      from.b, from.test.n,
                            from.hl,      from.p,    from.p_holm, {},     {}};
-  if (from.hl_ci) result.hl_ci = from.hl_ci->interval;
+  result.hl_ci = interval_of(from.hl_ci);
   return result;
 }
 

@@ -62,7 +62,16 @@ std::string number_cell(const std::optional<double>& value, int decimals) {
 // W can end in one half.
 std::string rank_sum(double w) { return fixed(w, w == std::floor(w) ? 0 : 1); }
 
+std::string range_cell(const std::optional<Interval>& interval, int decimals) {
+  return interval ? fixed(interval->lower, decimals) + " to " + fixed(interval->upper, decimals)
+                  : dash;
+}
+
 std::string percent(double share) { return fixed(100 * share, 0) + " %"; }
+
+std::string percent_of(int count, int all) {
+  return all > 0 ? percent(static_cast<double>(count) / all) : dash;
+}
 
 std::string percent_interval(const Interval& shares) {
   return fixed(100 * shares.lower, 0) + " to " + fixed(100 * shares.upper, 0) + " %";
@@ -76,8 +85,25 @@ std::string pair_name(const Dataset& data, int a, int b) {
   return item(data.interfaces, a) + " −\u00a0" + item(data.interfaces, b);
 }
 
+std::string estimate_cell(const Measure& measure, const std::optional<double>& estimate,
+                          const std::optional<Interval>& interval) {
+  if (!estimate) return dash;
+  const std::string words = with_unit(measure, *estimate);
+  if (!interval) return words;
+  return words + " [" + shown(measure, interval->lower) + ", " + shown(measure, interval->upper) +
+         "]";
+}
+
+std::string measure_in_task(const Dataset& data, int measure, int task) {
+  const std::string label = item(data.measures, measure).label;
+  return data.tasks.size() > 1 ? label + ", " + item(data.tasks, task).name : label;
+}
+
 Html wide(const HtmlTable& table) {
   return table.rows.empty() ? Html{} : element("div", {{"class", "wide"}}, render(table));
+}
+Html wide_words(const HtmlTable& table) {
+  return table.rows.empty() ? Html{} : element("div", {{"class", "wide text"}}, render(table));
 }
 
 Html folded(const HtmlTable& table) {

@@ -12,14 +12,6 @@
 namespace promenade::analysis {
 namespace {
 
-std::string difference(const Measure& measure, const Comparison& one) {
-  if (!one.hl) return dash;
-  std::string estimate = with_unit(measure, *one.hl);
-  if (!one.hl_ci) return estimate;
-  return estimate + " [" + shown(measure, one.hl_ci->interval.lower) + ", " +
-         shown(measure, one.hl_ci->interval.upper) + "]";
-}
-
 // One difference tests nothing.
 bool is_testable(const Comparison& one) { return one.test.n > 1; }
 
@@ -69,7 +61,7 @@ std::vector<std::string> test_cells(const Measure& measure, const Comparison& on
           is_testable(one) ? p_cell(one.p_holm) : dash,
           differing >= 6 ? p_cell(test.normal->two) : dash,
           rank_biserial_cell(one),
-          difference(measure, one)};
+          estimate_cell(measure, one.hl, interval_of(one.hl_ci))};
 }
 
 bool is_possible(const Results& results, int measure, const Comparison& one) {

@@ -3,8 +3,9 @@
 
 #include <map>
 
+#include "analysis/format.h"
+#include "analysis/item.h"
 #include "analysis/report/cells.h"
-#include "analysis/report/people_words.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -106,7 +107,7 @@ std::string note_sentence(int notes) {
 Section deviations_section(const Results& results) {
   Section section;
   section.title = "Deviations from the plan";
-  section.html = summary(results) + boxed(shown_table(results), "wide text");
+  section.html = summary(results) + wide_words(shown_table(results));
   if (results.log.notes > 0) section.html += element("p", note_sentence(results.log.notes));
   const Table table = deviation_table(results);
   nlohmann::json totals = nlohmann::json::object();

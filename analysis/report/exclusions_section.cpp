@@ -1,4 +1,5 @@
 // Who was left out by hand, why, by which rule, and when that was decided.
+#include "analysis/report/cells.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -21,8 +22,7 @@ Section exclusions_section(const Results& results) {
   if (results.selection.exclusions.empty()) return {};
   Section section;
   section.title = "Excluded participants";
-  section.html =
-      element("div", {{"class", "wide text"}}, render(exclusion_table(results.selection)));
+  section.html = wide_words(exclusion_table(results.selection));
   return section;
 }
 

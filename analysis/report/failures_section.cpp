@@ -149,7 +149,7 @@ Table share_rows(const Results& results) {
   for (const Comparison& one : results.failure_tests.shares) {
     const SignedRankTest& test = one.test;
     const bool any = test.n > 0;
-    const auto ci = one.hl_ci ? std::optional(one.hl_ci->interval) : std::nullopt;
+    const auto ci = interval_of(one.hl_ci);
     table.rows.push_back({cell(item(data.tasks, one.task).name), cell(item(data.interfaces, one.a)),
                           cell(item(data.interfaces, one.b)), cell(test.n), cell(one.missing),
                           cell(test.n_zero), cell(test.n_tied), cell(test.w_plus),

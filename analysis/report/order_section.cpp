@@ -1,18 +1,15 @@
 // Order effects: turns, learning, carry-over, and the balance of the orders.
 #include <fmt/format.h>
 
+#include "analysis/format.h"
+#include "analysis/item.h"
 #include "analysis/report/cells.h"
-#include "analysis/report/people_words.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {
 
 std::string task_of(const Dataset& data, int task) { return item(data.tasks, task).name; }
-
-std::optional<Interval> interval_of(const Learning& one) {
-  return one.hl_ci ? std::optional(one.hl_ci->interval) : std::nullopt;
-}
 
 Table turn_table(const Results& results) {
   const Dataset& data = results.data;
@@ -42,9 +39,10 @@ Table learning_table(const Results& results) {
     const Measure& measure = item(data.measures, one.measure);
     table.rows.push_back({cell(measure.name), cell(measure.unit), cell(task_of(data, one.task)),
                           cell(one.test.n), cell(one.test.n_zero), cell(one.hl),
-                          lower(interval_of(one)), upper(interval_of(one)), Cell(one.test.w_plus),
-                          Cell(one.test.w_minus), cell(one.p), cell(one.test.n_positive),
-                          cell(one.test.n_negative), one.sign.n > 0 ? Cell(one.sign.two) : Cell()});
+                          lower(interval_of(one.hl_ci)), upper(interval_of(one.hl_ci)),
+                          Cell(one.test.w_plus), Cell(one.test.w_minus), cell(one.p),
+                          cell(one.test.n_positive), cell(one.test.n_negative),
+                          one.sign.n > 0 ? Cell(one.sign.two) : Cell()});
   }
   return table;
 }
@@ -121,11 +119,10 @@ HtmlTable shown_turns(const Results& results) {
   for (const TurnSummary& one : results.order.turns) {
     const Measure& measure = item(data.measures, one.measure);
     const Moments& m = one.moments;
-    table.rows.push_back({measure_in_task(data, one.measure, one.task), std::to_string(one.turn),
-                          std::to_string(m.n), with_unit(measure, *m.mean),
-                          m.sd ? shown(measure, *m.sd) : dash,
-                          m.mean_ci ? shown_interval(measure, *m.mean_ci) : dash,
-                          with_unit(measure, *one.median)});
+    table.rows.push_back(
+        {measure_in_task(data, one.measure, one.task), std::to_string(one.turn),
+         std::to_string(m.n), with_unit(measure, *m.mean), m.sd ? shown(measure, *m.sd) : dash,
+         m.mean_ci ? shown_interval(measure, *m.mean_ci) : dash, with_unit(measure, *one.median)});
   }
   return table;
 }
@@ -145,11 +142,12 @@ HtmlTable shown_learning(const Results& results) {
   for (const Learning& one : results.order.learning) {
     if (one.test.n == 0) continue;
     const bool several = one.test.n > 1;
-    table.rows.push_back({measure_in_task(data, one.measure, one.task), std::to_string(one.test.n),
-                          estimate_of(item(data.measures, one.measure), one.hl, interval_of(one)),
-                          several ? p_cell(one.p) : dash,
-                          std::to_string(one.test.n_positive), std::to_string(one.test.n_negative),
-                          several && one.sign.n > 0 ? p_cell(one.sign.two) : dash});
+    table.rows.push_back(
+        {measure_in_task(data, one.measure, one.task), std::to_string(one.test.n),
+         estimate_cell(item(data.measures, one.measure), one.hl, interval_of(one.hl_ci)),
+         several ? p_cell(one.p) : dash, std::to_string(one.test.n_positive),
+         std::to_string(one.test.n_negative),
+         several && one.sign.n > 0 ? p_cell(one.sign.two) : dash});
   }
   return table;
 }
@@ -180,10 +178,10 @@ Section order_section(const Results& results) {
   Section section;
   section.title = "Order and learning";
   for (const std::string& one : results.order.sentences) section.html += element("p", one);
-  section.html += boxed(shown_balance(results));
+  section.html += wide(shown_balance(results));
   if (results.data.interfaces.size() > 1) {
-    section.html += boxed(shown_turns(results)) + boxed(shown_learning(results)) +
-                    boxed(shown_carry_over(results));
+    section.html += wide(shown_turns(results)) + wide(shown_learning(results)) +
+                    wide(shown_carry_over(results));
   }
   section.tables = {turn_table(results), learning_table(results), carry_over_table(results),
                     balance_table(results)};

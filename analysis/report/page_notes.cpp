@@ -3,6 +3,7 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/cells.h"
 #include "analysis/report/page_parts.h"
 #include "analysis/report/tables.h"
 
@@ -53,10 +54,6 @@ HtmlTable fact_table(const Results& results) {
   return table;
 }
 
-Html text_table(const HtmlTable& table) {
-  return element("div", {{"class", "wide text"}}, render(table));
-}
-
 // Nothing where the study never changed.
 Html amendments(const Log& log) {
   if (log.versions.size() < 2) return {};
@@ -64,15 +61,15 @@ Html amendments(const Log& log) {
                                   "over all versions together: judge by the reasons below whether "
                                   "they may be, and leave people out with --exclude if not.",
                                   count_of(size_of(log.versions) - 1, "time", "times"))) +
-         text_table(version_table(log));
+         wide_words(version_table(log));
 }
 
 }  // namespace
 
 Html provenance_section(const Results& results) {
   Html html = element("h2", {{"id", "provenance"}}, text("Provenance")) +
-              text_table(fact_table(results)) + amendments(results.log) +
-              text_table(file_table(results.log));
+              wide_words(fact_table(results)) + amendments(results.log) +
+              wide_words(file_table(results.log));
   html += element("p", "Queries behind every number, before people are selected as above:");
   std::string queries;
   for (const std::string& query : log_queries()) queries += query + ";\n";

@@ -39,13 +39,7 @@ Html deviations_html(const PreregCheck& check) {
   for (const PlanDeviation& one : check.deviations) {
     table.rows.push_back({one.about, one.planned, one.found});
   }
-  return element("div", {{"class", "wide text"}}, render(table));
-}
-
-// Without the "= " of sentences.
-std::string p_cell(double p) {
-  const std::string words = p_text(p);
-  return words.rfind("= ", 0) == 0 ? words.substr(2) : words;
+  return wide_words(table);
 }
 
 std::string significance_word(const PreregCheck& check, const PlannedTest& test) {
@@ -62,7 +56,7 @@ Html tests_html(const Results& results, const PreregCheck& check) {
   for (const PlannedTest& test : check.tests) {
     std::vector<std::string> row = {test.measure, test.task, test.a + " − " + test.b};
     if (test.comparison < 0 || !test.p_holm) {
-      row.insert(row.end(), {"0", "–", "–", "–", "–"});
+      row.insert(row.end(), {"0", dash, dash, dash, dash});
     } else {
       const Comparison& one = item(results.comparisons, test.comparison);
       const Measure& measure = item(results.data.measures, one.measure);

@@ -1,8 +1,9 @@
 // Data quality: late frames, time stamps, what was interrupted, and what has no outcome.
 #include <fmt/format.h>
 
+#include "analysis/format.h"
+#include "analysis/item.h"
 #include "analysis/report/cells.h"
-#include "analysis/report/people_words.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -70,7 +71,7 @@ HtmlTable shown_table(const Results& results) {
                    "left out"};
   for (const QualityCount& one : results.quality.counts) {
     table.rows.push_back({name_of(results.data, one.interface), std::to_string(one.trials),
-                          std::to_string(one.flagged), share_of(one.flagged, one.trials),
+                          std::to_string(one.flagged), percent_of(one.flagged, one.trials),
                           std::to_string(one.late_frames), number_cell(one.late_per_minute, 1),
                           number_cell(one.median_uncertainty_ms, 1) + " ms",
                           number_cell(one.largest_uncertainty_ms, 1) + " ms",
@@ -97,7 +98,7 @@ Section quality_section(const Results& results) {
   Section section;
   section.title = "Data quality";
   const Table counts = count_table(results);
-  section.html = element("p", sentence_on(results)) + boxed(shown_table(results));
+  section.html = element("p", sentence_on(results)) + wide(shown_table(results));
   section.json["quality"] = {{"counts", json_rows(counts)},
                              {"resumed_sessions", results.quality.resumed_sessions},
                              {"resumptions", results.quality.resumptions}};

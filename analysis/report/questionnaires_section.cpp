@@ -1,8 +1,9 @@
 // What people answered, instrument by instrument.
 #include <fmt/format.h>
 
+#include "analysis/format.h"
+#include "analysis/item.h"
 #include "analysis/report/cells.h"
-#include "analysis/report/people_words.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -54,7 +55,7 @@ Table pair_table(const Results& results) {
   for (const QuestionnaireResult& one : results.questionnaires) {
     for (const ScalePair& pair : one.pairs) {
       const Comparison& c = pair.comparison;
-      const auto ci = c.hl_ci ? std::optional(c.hl_ci->interval) : std::nullopt;
+      const auto ci = interval_of(c.hl_ci);
       add_row(one,
               {cell(pair.name), cell(item(results.data.interfaces, c.a)),
                cell(item(results.data.interfaces, c.b)), cell(c.test.n), cell(c.missing),
@@ -155,8 +156,8 @@ HtmlTable shown_scales(const Results& results, const QuestionnaireResult& one) {
     const Moments& m = scale.moments;
     table.rows.push_back({scale.name, interface_name(results.data, scale.interface),
                           std::to_string(m.n), number_cell(m.mean, 2), number_cell(m.sd, 2),
-                          range_or_none(m.mean_ci, 2), number_cell(scale.median, 2),
-                          range_or_none(scale.median_ci, 2), alpha_words(one, scale)});
+                          range_cell(m.mean_ci, 2), number_cell(scale.median, 2),
+                          range_cell(scale.median_ci, 2), alpha_words(one, scale)});
     table.strong.push_back(scale.is_score);
   }
   return table;
@@ -198,7 +199,7 @@ HtmlTable shown_choices(const Results& results, const QuestionnaireResult& one) 
     table.rows.push_back({choice.item, interface_name(results.data, choice.interface),
                           choice.choice.empty() ? own_words : choice.choice,
                           std::to_string(choice.count), std::to_string(choice.answers),
-                          share_of(choice.count, choice.answers)});
+                          percent_of(choice.count, choice.answers)});
   }
   return table;
 }
@@ -255,9 +256,9 @@ Html texts_on(const QuestionnaireResult& one) {
 Html part_on(const Results& results, const QuestionnaireResult& one) {
   return element("h3",
                  one.instrument + ", version " + one.version + ", " + moment_words(one.asked)) +
-         element("p", facts_on(one)) + boxed(shown_scales(results, one)) +
-         boxed(shown_pairs(results, one)) + boxed(shown_choices(results, one)) +
-         boxed(shown_ranks(one)) + texts_on(one);
+         element("p", facts_on(one)) + wide(shown_scales(results, one)) +
+         wide(shown_pairs(results, one)) + wide(shown_choices(results, one)) +
+         wide(shown_ranks(one)) + texts_on(one);
 }
 
 nlohmann::json instruments_json(const Results& results) {

@@ -1,6 +1,7 @@
 // What each interface can reach at all: the yardstick of regret.
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "analysis/report/cells.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -31,7 +32,7 @@ Section reach_section(const Results& results) {
   }
   if (!reach.missing.empty()) section.html += element("p", reach.missing);
   if (reach.rows.empty()) return section;
-  section.html += element("div", {{"class", "wide"}}, render(shown));
+  section.html += wide(shown);
   section.tables.push_back(std::move(table));
   return section;
 }

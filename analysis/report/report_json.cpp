@@ -27,7 +27,7 @@ Json target_of(const Dataset& data, int task, int target) {
 Json comparison_json(const Dataset& data, const Comparison& one) {
   const SignedRankTest& test = one.test;
   const bool any = test.n > 0;
-  const auto ci = one.hl_ci ? std::optional(one.hl_ci->interval) : std::nullopt;
+  const auto ci = interval_of(one.hl_ci);
   return {{"measure", item(data.measures, one.measure).name},
           {"task", item(data.tasks, one.task).name},
           {"target", target_of(data, one.task, one.target)},

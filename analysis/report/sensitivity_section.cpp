@@ -1,6 +1,7 @@
 // Primary results with other trials and people, side by side.
+#include "analysis/format.h"
+#include "analysis/item.h"
 #include "analysis/report/cells.h"
-#include "analysis/report/people_words.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -52,10 +53,11 @@ HtmlTable shown_table(const Results& results) {
     for (const SensitivityVariant& variant : variants) {
       const SensitivityResult& one = item(variant.results, i);
       const bool first = variant.kind == SensitivityKind::all;
-      table.rows.push_back(
-          {measure_in_task(data, one.measure, one.task), pair_of(data, one), variant.name,
-           std::to_string(one.n), estimate_of(item(data.measures, one.measure), one.hl, one.hl_ci),
-           p_cell(one.p), p_cell(one.p_holm), first ? "" : answer(one.same_conclusion)});
+      table.rows.push_back({measure_in_task(data, one.measure, one.task), pair_of(data, one),
+                            variant.name, std::to_string(one.n),
+                            estimate_cell(item(data.measures, one.measure), one.hl, one.hl_ci),
+                            p_cell(one.p), p_cell(one.p_holm),
+                            first ? "" : answer(one.same_conclusion)});
       table.strong.push_back(!first && !one.same_conclusion.value_or(true));
     }
   }
@@ -86,7 +88,7 @@ Section sensitivity_section(const Results& results) {
   section.json["sensitivity"] = {{"sentences", results.sensitivity.sentences},
                                  {"results", json_rows(table)}};
   if (!table.rows.empty()) section.tables = {table};
-  if (results.sensitivity.variants.size() > 1) section.html += boxed(shown_table(results));
+  if (results.sensitivity.variants.size() > 1) section.html += wide(shown_table(results));
   return section;
 }
 

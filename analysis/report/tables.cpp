@@ -8,10 +8,6 @@
 namespace promenade::analysis {
 namespace {
 
-std::optional<Interval> interval_of(const std::optional<LocationInterval>& ci) {
-  return ci ? std::optional(ci->interval) : std::nullopt;
-}
-
 Table comparison_table(const Results& results) {
   const Dataset& data = results.data;
   Table table{"comparisons",

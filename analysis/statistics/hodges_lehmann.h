@@ -18,6 +18,11 @@ struct LocationInterval {
   double level = 0;  // attained: 1 - 2 P(W <= c-1), never below what was asked
 };
 
+// Without the level.
+inline std::optional<Interval> interval_of(const std::optional<LocationInterval>& location) {
+  return location ? std::optional(location->interval) : std::nullopt;
+}
+
 // Median of the Walsh averages; nothing for no differences.
 std::optional<double> hodges_lehmann(const WalshAverages& walsh);
 
