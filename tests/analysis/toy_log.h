@@ -10,26 +10,9 @@
 
 #include "study/schema.h"
 #include "study/sqlite.h"
+#include "tests/test_folder.h"
 
 namespace promenade::analysis {
-
-// An empty folder that goes away with the test.
-class TestFolder {
- public:
-  TestFolder() {
-    static int count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("promenade_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
-    std::filesystem::create_directories(path_);
-  }
-  ~TestFolder() { std::filesystem::remove_all(path_); }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 struct ToyTrial {
   std::string interface = "labels";

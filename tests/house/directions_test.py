@@ -52,8 +52,16 @@ def problems_in(path, room):
             yield f"{relative}: #pragma once is missing"
 
 
+def shared_folders():
+    """ctest runs tests side by side: each takes its folder from tests/test_folder.h."""
+    for path in sorted((ROOT / "tests").rglob("*.cpp")) + sorted((ROOT / "tests").rglob("*.h")):
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            if "TempDir()" in line:
+                yield f"{path.relative_to(ROOT)}:{number}: tests share this folder; use TestFolder"
+
+
 def main():
-    found = []
+    found = list(shared_folders())
     files = 0
     for room in ROOMS:
         for path in sorted((ROOT / room).rglob("*")):

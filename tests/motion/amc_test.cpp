@@ -186,7 +186,7 @@ TEST(Amc, NamesTheKeywordThatWasMeant) {
 class AmcFolder : public testing::Test {
  protected:
   AmcFolder()
-      : folder_(fs::path(testing::TempDir()) / ("promenade_amc_" + std::to_string(::getpid()))) {
+      : folder_(fs::temp_directory_path() / ("promenade_amc_" + std::to_string(::getpid()))) {
     fs::remove_all(folder_);
     write("16_15.amc", toy_amc);
   }

@@ -5,6 +5,7 @@
 #include "motion/files.h"
 #include "motion/load_clip.h"
 #include "tests/motion/toy_bvh.h"
+#include "tests/test_folder.h"
 
 namespace promenade::motion {
 namespace {
@@ -190,7 +191,8 @@ TEST(Bvh, NamesAllBadNumbersAtOnce) {
 }
 
 TEST(LoadClip, SaysWhereAFileIsNoText) {
-  const std::string file = testing::TempDir() + "/zero.bvh";
+  const TestFolder folder;
+  const std::string file = folder.file("zero.bvh");
   write_file(file, std::string("HIERARCHY\nROOT \0 Hips", 22));
   try {
     load_clip(file);
@@ -202,9 +204,10 @@ TEST(LoadClip, SaysWhereAFileIsNoText) {
 }
 
 TEST(LoadClip, RefusesFoldersMissingFilesAndOtherKinds) {
-  EXPECT_THROW(load_clip(testing::TempDir()), InputError);
-  EXPECT_THROW(load_clip(testing::TempDir() + "/none.bvh"), InputError);
-  const std::string other = testing::TempDir() + "/a.fbx";
+  const TestFolder folder;
+  EXPECT_THROW(load_clip(folder.path().string()), InputError);
+  EXPECT_THROW(load_clip(folder.file("none.bvh")), InputError);
+  const std::string other = folder.file("a.fbx");
   write_file(other, "x");
   EXPECT_THROW(load_clip(other), InputError);
 }

@@ -9,6 +9,7 @@
 #include "motion/files.h"
 #include "motion/set_file.h"
 #include "tests/motion/walker.h"
+#include "tests/test_folder.h"
 
 namespace promenade::motion {
 namespace {
@@ -20,7 +21,8 @@ const MotionSet& walkers() {
 
 std::string own_file(const std::string& name) {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  return testing::TempDir() + "/set_builder_test/" + test->name() + "/" + name;
+  static const TestFolder folder;
+  return folder.file(std::string(test->name()) + "/" + name);
 }
 
 // A take of walker `i` on disk, its figure of another size.

@@ -2,27 +2,21 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <map>
 
 #include "study/sqlite.h"
+#include "tests/test_folder.h"
 
 namespace promenade::study {
 
 class FolderTest : public testing::Test {
  protected:
-  FolderTest() {
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  ~FolderTest() override { std::filesystem::remove_all(folder_); }
-  std::string file(const std::string& name = "toy.db") const { return (folder_ / name).string(); }
+  std::string file(const std::string& name = "toy.db") const { return own_.file(name); }
 
-  std::filesystem::path folder_ = std::filesystem::temp_directory_path() /
-                                  ("promenade_folder_" + std::to_string(::getpid()) + "_" +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  TestFolder own_;
+  const std::filesystem::path& folder_ = own_.path();
 };
 
 inline std::int64_t number_in(Database& database, const std::string& sql) {

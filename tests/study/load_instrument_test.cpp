@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "motion/files.h"
+#include "tests/test_folder.h"
 
 namespace promenade::study {
 namespace {
@@ -192,15 +193,15 @@ TEST(InstrumentFile, MakesAnItemOfEveryPair) {
 
 TEST(InstrumentFile, IsFoundByItsNameOrBesideTheStudy) {
   EXPECT_EQ(load_instrument("sus", "nowhere").instrument.items.size(), 10U);
-  const std::filesystem::path folder = testing::TempDir();
-  write_file(folder / "own.toml", head + item);
-  const InstrumentFile own = load_instrument("own.toml", folder.string());
+  const TestFolder folder;
+  write_file(folder.file("own.toml"), head + item);
+  const InstrumentFile own = load_instrument("own.toml", folder.path().string());
   EXPECT_EQ(own.instrument.name, "n");
   EXPECT_EQ(own.text, head + item);
 }
 
 TEST(InstrumentFile, ThatIsNotThereIsAnInputError) {
-  EXPECT_THROW(load_instrument("none.toml", testing::TempDir()), InputError);
+  EXPECT_THROW(load_instrument("none.toml", TestFolder().path().string()), InputError);
   try {
     load_instrument("suz", "");
     FAIL();

@@ -7,6 +7,7 @@
 #include "motion/problem.h"
 #include "study/adjective_model.h"
 #include "study/reach_models.h"
+#include "tests/test_folder.h"
 #include "toy.h"
 
 namespace promenade::study {
@@ -26,20 +27,14 @@ InterfaceRegistry asking_registry() {
 
 class RatingsFile : public testing::Test {
  protected:
-  RatingsFile() : folder_(std::filesystem::path(testing::TempDir()) / "ratings_test" / name()) {
-    std::filesystem::create_directories(folder_);
-  }
-  static std::string name() {
-    return testing::UnitTest::GetInstance()->current_test_info()->name();
-  }
   void write(const std::string& rows) {
-    std::ofstream(folder_ / "r.csv") << "rater,motion,pair,value\n" << rows;
+    std::ofstream(folder_.file("r.csv")) << "rater,motion,pair,value\n" << rows;
   }
   StudyBundle load() const {
     std::string text = toy::study_text();
     const std::string line = "[study]\n";
     text.insert(text.find(line) + line.size(), "ratings = \"r.csv\"\n");
-    return read_study((folder_ / "study.toml").string(), text, asking_registry(),
+    return read_study(folder_.file("study.toml"), text, asking_registry(),
                       [](const std::string&, const std::string&) { return toy::motion_set(); });
   }
   std::string problems() const {
@@ -60,7 +55,7 @@ class RatingsFile : public testing::Test {
     return rows;
   }
 
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(RatingsFile, GivesTheAdjectivesOfTheSet) {
@@ -107,7 +102,7 @@ TEST_F(RatingsFile, MustHaveRatedEveryMotion) {
 }
 
 TEST_F(RatingsFile, MustBeThere) {
-  std::filesystem::remove(folder_ / "r.csv");
+  std::filesystem::remove(folder_.file("r.csv"));
   const std::string text = problems();
   EXPECT_NE(text.find("study.toml:"), std::string::npos) << text;
   EXPECT_NE(text.find("cannot use the ratings \"r.csv\""), std::string::npos) << text;

@@ -11,6 +11,7 @@
 #include "study/schema.h"
 #include "study/sqlite.h"
 #include "study/store_open.h"
+#include "tests/test_folder.h"
 #include "toy.h"
 
 namespace promenade::study {
@@ -38,19 +39,15 @@ TEST(PreregSeal, IsNotThereWhereNothingIsNamed) {
 
 class SealedStudy : public testing::Test {
  protected:
-  SealedStudy() : folder_(std::filesystem::path(testing::TempDir()) / "prereg_seal_test") {
-    std::filesystem::create_directories(folder_);
-  }
-  ~SealedStudy() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& document) { std::ofstream(folder_ / "p.md") << document; }
+  void write(const std::string& document) { std::ofstream(folder_.file("p.md")) << document; }
   StudyBundle load() const {
     std::string sealed = toy::study_text();
     const std::string line = "[study]\n";
     sealed.insert(sealed.find(line) + line.size(), "prereg = \"p.md\"\n");
-    return read_study((folder_ / "study.toml").string(), sealed, toy::registry(),
+    return read_study(folder_.file("study.toml"), sealed, toy::registry(),
                       [](const std::string&, const std::string&) { return toy::motion_set(); });
   }
-  std::filesystem::path folder_;
+  TestFolder folder_;
 };
 
 TEST_F(SealedStudy, HasTheDocumentAmongItsParts) {

@@ -10,6 +10,7 @@
 #include "study/load_study.h"
 #include "tests/motion/walker.h"
 #include "tests/source_dir.h"
+#include "tests/test_folder.h"
 
 namespace promenade::study {
 namespace {
@@ -19,7 +20,8 @@ namespace fs = std::filesystem;
 // A folder of the running test's own, empty at first.
 fs::path own_folder() {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const fs::path folder = fs::path(testing::TempDir()) / "recipe_test" / test->name();
+  static const TestFolder tests;
+  const fs::path folder = tests.path() / test->name();
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
