@@ -1,8 +1,7 @@
-#include "analysis/report/prereg_section.h"
-
 #include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/report/cells.h"
+#include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
 namespace {

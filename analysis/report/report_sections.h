@@ -5,6 +5,8 @@
 
 namespace promenade::analysis {
 
+// What was registered beforehand, and what was done otherwise; with `report --prereg` only.
+Section prereg_section(const Results& results);
 Section comparisons_section(const Results& results);   // one value per participant
 Section process_section(const Results& results);       // the same of how people worked
 Section descriptives_section(const Results& results);  // each interface by itself

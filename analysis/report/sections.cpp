@@ -1,4 +1,3 @@
-#include "analysis/report/prereg_section.h"
 #include "analysis/report/report_sections.h"
 #include "analysis/report/section.h"
 
@@ -6,8 +5,8 @@ namespace promenade::analysis {
 
 std::vector<Section> sections_of(const Results& results) {
   std::vector<Section> sections;
-  if (results.prereg) sections.push_back(prereg_section(results));
   for (const auto& section : {
+           prereg_section,
            // What came out.
            comparisons_section,
            omnibus_section,

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "analysis/prereg/sealed_plan.h"
-#include "analysis/report/prereg_section.h"
+#include "analysis/report/report_sections.h"
 #include "analysis/results.h"
 #include "analysis/statistics/p_adjust.h"
 #include "motion/files.h"
