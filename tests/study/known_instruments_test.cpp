@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "motion/models/adjective_pairs.h"
 #include "study/load_instrument.h"
 
 namespace promenade::study {
@@ -14,9 +15,22 @@ Instrument known(const std::string& name) { return load_instrument(name, "").ins
 
 TEST(KnownInstruments, AreTheOnesOfTheManual) {
   EXPECT_EQ(known_instruments(),
-            (std::vector<std::string>{"comment", "consent", "csi", "demographics", "experience",
-                                      "impression", "nasa-tlx", "nasa-tlx-raw", "preference",
-                                      "ranking", "satisfaction", "sus", "ueq-s", "umux-lite"}));
+            (std::vector<std::string>{"adjectives", "comment", "consent", "csi", "demographics",
+                                      "experience", "impression", "nasa-tlx", "nasa-tlx-raw",
+                                      "preference", "ranking", "satisfaction", "sus", "ueq-s",
+                                      "umux-lite"}));
+}
+
+TEST(KnownInstruments, AskThePairsOfTheSourceInItsOrder) {
+  const Instrument adjectives = known("adjectives");
+  ASSERT_EQ(adjectives.items.size(), motion::adjective_pairs.size());
+  for (std::size_t i = 0; i < adjectives.items.size(); ++i) {
+    const motion::AdjectivePair& pair = motion::adjective_pairs[i];
+    const Item& item = adjectives.items[i];
+    EXPECT_EQ(motion::find_adjective_pair(item.name), static_cast<int>(i)) << item.name;
+    EXPECT_EQ(text_in(item.low, "en"), pair.left);
+    EXPECT_EQ(text_in(item.high, "en"), pair.right);
+  }
 }
 
 TEST(KnownInstruments, AreNamedAsTheirFilesAndSayWhereTheyComeFrom) {
