@@ -1,13 +1,11 @@
 #include "analysis/map_time.h"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <numeric>
 
 #include "analysis/item.h"
-#include "study/migrate.h"
-#include "study/sqlite.h"
+#include "analysis/samples.h"
 #include "study/study.h"
 
 namespace promenade::analysis {
@@ -15,56 +13,17 @@ namespace {
 
 using Groups = std::map<std::pair<int, int>, MapTime>;  // by task and interface
 
-constexpr const char* set_query =
-    "SELECT motion_set.sha256 FROM session JOIN study ON study.uuid = session.study "
-    "JOIN motion_set ON motion_set.uuid = coalesce(study.motion_set, motion_set.uuid) "
-    "WHERE session.uuid = ? LIMIT 1";
+std::vector<Shown> shown_in(SampleReader& reader, const LoggedTrial& trial,
+                            const study::CoverageMap& map) {
+  std::vector<Shown> shown;
+  reader.each(trial.uuid, [&](std::int64_t t_us, const Eigen::VectorXd& weights) {
+    const int cell = weights.allFinite() ? map.cell_of(weights) : -1;
+    shown.push_back({std::max(t_us, trial.started_us), cell});
+  });
+  return shown;
+}
 
-// The motions that one file of the log showed, and the samples of its trials.
-class Reader {
- public:
-  Reader(const std::string& file, const study::StudyBundle& bundle)
-      : bundle_(bundle),
-        database_(study::open_log(file)),
-        set_(database_, set_query),
-        samples_(database_,
-                 "SELECT t_us, weights FROM sample WHERE trial = ? ORDER BY t_us, rowid"),
-        weights_(bundle.space.set.size()) {}
-
-  bool has_same_set(const std::string& session) {
-    if (session != session_) {
-      session_ = session;
-      set_.reset();
-      same_ = set_.bind(1, session).step() && set_.text(0) == bundle_.set_sha256;
-    }
-    return same_;
-  }
-
-  std::vector<Shown> shown_in(const LoggedTrial& trial) {
-    std::vector<Shown> shown;
-    const auto bytes = static_cast<std::size_t>(weights_.size()) * sizeof(double);
-    samples_.reset();
-    samples_.bind(1, trial.uuid);
-    while (samples_.step()) {
-      const std::string_view blob = samples_.blob(1);
-      if (blob.size() != bytes) continue;
-      std::memcpy(weights_.data(), blob.data(), bytes);
-      const int cell = weights_.allFinite() ? bundle_.coverage.cell_of(weights_) : -1;
-      shown.push_back({std::max(samples_.integer(0), trial.started_us), cell});
-    }
-    return shown;
-  }
-
- private:
-  const study::StudyBundle& bundle_;
-  study::Database database_;
-  study::Statement set_, samples_;
-  Eigen::VectorXd weights_;
-  std::string session_;
-  bool same_ = false;
-};
-
-void add_trial(Reader& reader, const Log& log, const Trial& trial, Groups& groups,
+void add_trial(SampleReader& reader, const Log& log, const Trial& trial, Groups& groups,
                MapTimes& result) {
   const LoggedTrial& logged = item(log.trials, trial.logged);
   if (trial.quality.paused || trial.quality.interrupted) {
@@ -72,7 +31,7 @@ void add_trial(Reader& reader, const Log& log, const Trial& trial, Groups& group
   } else if (!reader.has_same_set(item(log.sessions, logged.session).uuid)) {
     ++result.other_set;
   } else {
-    const std::vector<Shown> shown = reader.shown_in(logged);
+    const std::vector<Shown> shown = shown_in(reader, logged, result.map);
     add_time(shown, logged.ended_us.value_or(logged.started_us),
              groups[{trial.task, trial.interface}]);
   }
@@ -81,14 +40,9 @@ void add_trial(Reader& reader, const Log& log, const Trial& trial, Groups& group
 void read_trials(const Log& log, const Dataset& data, const study::StudyBundle& bundle,
                  MapTimes& result) {
   Groups groups;
-  for (int file = 0; file < size_of(log.files); ++file) {
-    Reader reader(item(log.files, file).file, bundle);
-    for (const Trial& trial : data.trials) {
-      const LoggedTrial& logged = item(log.trials, trial.logged);
-      if (item(log.sessions, logged.session).file != file) continue;
-      add_trial(reader, log, trial, groups, result);
-    }
-  }
+  for_each_trial(log, data, bundle, [&](SampleReader& reader, int trial) {
+    add_trial(reader, log, item(data.trials, trial), groups, result);
+  });
   for (auto& [place, time] : groups) {
     time.task = place.first;
     time.interface = place.second;

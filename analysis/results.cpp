@@ -1,6 +1,7 @@
 #include "analysis/results.h"
 
 #include "analysis/format.h"
+#include "analysis/made.h"
 #include "motion/problem.h"
 #include "study/migrate.h"
 #include "study/outline.h"
@@ -71,6 +72,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     const study::StudyBundle* bundle = stored ? &*stored : nullptr;
     results.reachability = find_reachable(bundle, *registry);
     add_regret(results.reachability, results.data);
+    add_measures_of_made(results.log, bundle, results.data);
     results.map_times = map_times(results.log, results.data, bundle);
   }
   results.comparisons = compare_all(results.data, progress);

@@ -1,10 +1,13 @@
 // Targets of match tasks and qualities of find tasks.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "motion/did_you_mean.h"
+#include "motion/models/adjective_pairs.h"
+#include "study/adjective_model.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -143,6 +146,34 @@ void warn_of_labels(const TomlTable& table, const Target& target, const StudyCon
   }
 }
 
+// Those that the raters of the study were asked; else those of the source.
+std::vector<std::string> known_pairs(const StudyContext& context) {
+  const bool rated = !context.study.ratings_file.empty() && context.adjectives;
+  const auto model = rated ? context.adjectives() : nullptr;
+  if (model) return model->table.pairs;
+  std::vector<std::string> pairs;
+  for (const motion::AdjectivePair& pair : motion::adjective_pairs) {
+    pairs.push_back(std::string(pair.left) + "-" + std::string(pair.right));
+  }
+  return pairs;
+}
+
+// pair = "sad-happy": what the raters say about it scores the asked word, which is the second.
+std::string read_pair(const TomlTable& table, const StudyContext& context) {
+  const auto pair = table.text("pair");
+  if (!pair) return "";
+  const std::vector<std::string> known = known_pairs(context);
+  const std::size_t hyphen = std::min(pair->find('-'), pair->size() - 1);
+  const std::string turned = pair->substr(hyphen + 1) + "-" + pair->substr(0, hyphen);
+  for (const std::string& one : {*pair, turned}) {
+    if (std::find(known.begin(), known.end(), one) != known.end()) return *pair;
+  }
+  table.error("pair", "nobody rates the pair of adjectives \"" + *pair + "\"" +
+                          did_you_mean(*pair, known) +
+                          "; write the asked word second, as in \"sad-happy\"");
+  return "";
+}
+
 std::vector<std::string> names_of(const std::vector<Target>& targets) {
   std::vector<std::string> names;
   names.reserve(targets.size());
@@ -175,6 +206,7 @@ std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
   for (const TomlTable& table : tables) {
     Target target;
     target.name = read_name(table);
+    target.pair = read_pair(table, context);
     target.quality = read_languages(table, target.name, context.study);
     warn_of_labels(table, target, context);
     targets.push_back(std::move(target));

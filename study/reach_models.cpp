@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "motion/builtin.h"
+#include "study/asked_quality.h"
 #include "study/map_options.h"
 #include "study/rng.h"
 
@@ -14,12 +14,6 @@ using Eigen::VectorXd;
 
 constexpr motion::SearchOptions search_options{
     .first_step = 0.15, .smallest_step = 1e-3, .evaluations = 600};
-
-std::optional<AdjectiveModel> default_adjectives(const StudyBundle& bundle) {
-  if (bundle.adjectives) return *bundle.adjectives;
-  const auto builtin = motion::builtin_name(bundle.study.set);
-  return builtin ? builtin_adjective_model(*builtin) : std::nullopt;
-}
 
 void take(ControlMapOrReason found, const char* name, ReachModels& models) {
   if (found.map) return models.maps.push_back(std::move(*found.map));
@@ -79,7 +73,7 @@ ControlMapOrReason feature_controls(const motion::MotionSet& set) {
 
 ReachModels make_reach_models(const StudyBundle& bundle, std::optional<AdjectiveModel> adjectives) {
   ReachModels models;
-  models.adjectives = adjectives ? std::move(adjectives) : default_adjectives(bundle);
+  models.adjectives = adjectives ? std::move(adjectives) : rated_adjectives(bundle);
   return completed(bundle, std::move(models));
 }
 

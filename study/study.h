@@ -34,6 +34,7 @@ struct Target {
   std::string name;                        // as in the results
   std::optional<Eigen::VectorXd> weights;  // N; nothing in find tasks, and where `draw` is set
   LocalText quality;                       // the asked word in each language (find)
+  std::string pair = {};  // of adjectives, the asked word second: scores it (find); empty: by name
   Place place = {};                        // in the study's file
   // Drawn anew for each participant: N weights. Empty: the same for all.
   std::function<Eigen::VectorXd(Rng&)> draw = {};

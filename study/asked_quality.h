@@ -1,0 +1,28 @@
+// How much of an asked quality the motions have, by those who rated them: a find task that asks
+// for "happy" is scored on the pair "sad-happy".
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "study/adjective_model.h"
+#include "study/study.h"
+
+namespace promenade::study {
+
+struct AskedPair {
+  int pair = 0;       // index into RatingsTable::pairs
+  bool left = false;  // the asked word is its left pole
+};
+
+// The pair that the study names for this target (`pair`), in either order of its words; else the
+// first one that has the target's name, or its English word, as a pole. Nothing: nobody was asked.
+std::optional<AskedPair> asked_pair(const RatingsTable& table, const Target& target);
+
+// N: the mean ratings towards the asked word, -2 to 2; NaN where nobody rated.
+Eigen::VectorXd asked_ratings(const AdjectiveModel& model, const AskedPair& asked);
+
+// Of the motions of a study: its own ratings, else those of simulated raters of a built-in set.
+std::optional<AdjectiveModel> rated_adjectives(const StudyBundle& bundle);
+
+}  // namespace promenade::study
