@@ -48,4 +48,10 @@ std::string capitalised(std::string sentence) {
   return sentence;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
 }  // namespace promenade::analysis

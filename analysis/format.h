@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "analysis/dataset.h"
 #include "analysis/statistics/interval.h"
@@ -25,5 +26,6 @@ std::string heading(const Measure& measure);
 
 std::string count_of(int count, const std::string& one, const std::string& many);  // "1 person"
 std::string capitalised(std::string sentence);
+std::string listed(const std::vector<std::string>& names);  // "a, b, c"
 
 }  // namespace promenade::analysis

@@ -2,6 +2,7 @@
 
 #include "analysis/format.h"
 #include "analysis/made.h"
+#include "analysis/outcomes.h"
 #include "motion/problem.h"
 #include "study/migrate.h"
 #include "study/outline.h"
@@ -31,12 +32,6 @@ std::string nothing_to_report(const Selection& selection) {
   return sentence;
 }
 
-std::string all_names(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 }  // namespace
 
 std::vector<const Comparison*> Results::pairs(int measure, int task) const {
@@ -64,7 +59,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.selection = select(results.log, options);
   results.data = make_dataset(results.log, results.selection);
   if (results.data.trials.empty()) {
-    throw InputError(all_names(databases), nothing_to_report(results.selection));
+    throw InputError(listed(databases), nothing_to_report(results.selection));
   }
   if (registry) {
     study::Database database = study::open_log(databases[0]);
@@ -73,6 +68,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     results.reachability = find_reachable(bundle, *registry);
     add_regret(results.reachability, results.data);
     add_measures_of_made(results.log, bundle, results.data);
+    add_rated_quality(options, results.log, bundle, results.data);
     results.map_times = map_times(results.log, results.data, bundle);
   }
   results.comparisons = compare_all(results.data, progress);

@@ -14,6 +14,8 @@ struct SelectionOptions {
   bool include_simulated = false;
   bool include_pilot = false;
   std::string exclude_file;  // CSV with the columns code and reason; empty: none
+  // Databases of people who rated what was made in this study (analysis/outcomes.h).
+  std::vector<std::string> rated_by = {};
 };
 
 // In the order in which the flow shows them.

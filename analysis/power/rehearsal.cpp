@@ -4,6 +4,7 @@
 #include <map>
 
 #include "analysis/comparisons.h"
+#include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/parallel.h"
 #include "motion/problem.h"
@@ -161,10 +162,9 @@ void refuse_unknown(const Rehearsal& rehearsal, const Rehearsed& all) {
                          const std::vector<std::string>& known, const std::string& what) {
     for (const std::string& name : names) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-      std::string list;
-      for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
       throw InputError("promenade power", "the study has no " + what + " \"" + name +
-                                              "\" that people were compared by; it has " + list);
+                                              "\" that people were compared by; it has " +
+                                              listed(known));
     }
   };
   check(rehearsal.tasks, all.tasks, "task");

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/comparisons.h"
+#include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/parallel.h"
 #include "analysis/statistics/differences.h"
@@ -22,17 +23,11 @@ struct PilotPair {
   double effect = 0;  // of a - b, when this pair is in question
 };
 
-std::string names(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& name : all) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 int index_or_throw(const std::vector<std::string>& all, const std::string& name,
                    const std::string& file, const std::string& what) {
   const auto found = std::find(all.begin(), all.end(), name);
   if (found != all.end()) return static_cast<int>(found - all.begin());
-  throw InputError(file, "has no " + what + " \"" + name + "\"; it has " + names(all));
+  throw InputError(file, "has no " + what + " \"" + name + "\"; it has " + listed(all));
 }
 
 std::vector<std::string> tasks_of(const Dataset& data) {

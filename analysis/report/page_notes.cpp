@@ -48,6 +48,7 @@ HtmlTable fact_table(const Results& results) {
       {"simulated sessions", options.include_simulated ? "included" : "left out"},
       {"pilot sessions", options.include_pilot ? "included" : "left out"},
       {"exclusions", options.exclude_file.empty() ? "none" : options.exclude_file},
+      {"rated by", options.rated_by.empty() ? "nobody else" : listed(options.rated_by)},
       {"trials analysed", std::to_string(results.data.trials.size())},
       {"trials missing", std::to_string(results.data.left_out_trials)},
   };

@@ -179,6 +179,7 @@ void add_model_command(CLI::App& program) {
   add_model_adjectives(*command);
   add_model_raters(*command);
   add_model_targets(*command);
+  add_model_outcomes(*command);
 }
 
 }  // namespace promenade::app

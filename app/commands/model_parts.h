@@ -9,5 +9,6 @@ void add_model_map(CLI::App& model);
 void add_model_adjectives(CLI::App& model);
 void add_model_raters(CLI::App& model);
 void add_model_targets(CLI::App& model);
+void add_model_outcomes(CLI::App& model);
 
 }  // namespace promenade::app

@@ -52,6 +52,8 @@ void add_report_command(CLI::App& program) {
       "--exclude", selection.exclude_file,
       "CSV of people to leave out, with the heading code,reason,rule,date; the last two may "
       "be missing");
+  command->add_option("--rated", selection.rated_by,
+                      "databases of people who rated what was made (`model outcomes`)");
   command->add_option(
       "--prereg", arguments->options.prereg_file,
       "the document that `promenade prereg` wrote, for a list of what was done otherwise");
