@@ -61,4 +61,16 @@ Clip cycle_clip(const MotionSet& set, const Cycle& cycle) {
   return clip;
 }
 
+Clip repeated_clip(Clip clip, int times) {
+  const Eigen::MatrixXd one = std::move(clip.values);
+  const Eigen::Index frames = one.cols() - 1;
+  const Vector3d travel = one.col(frames).head<3>() - one.col(0).head<3>();
+  clip.values.resize(one.rows(), times * frames + 1);
+  for (Eigen::Index f = 0; f < clip.values.cols(); ++f) {
+    clip.values.col(f) = one.col(f % frames);
+    clip.values.col(f).head<3>() += static_cast<double>(f / frames) * travel;
+  }
+  return clip;
+}
+
 }  // namespace promenade::motion

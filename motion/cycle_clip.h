@@ -11,4 +11,8 @@ namespace promenade::motion {
 // the first, one cycle further on.
 Clip cycle_clip(const MotionSet& set, const Cycle& cycle);
 
+// The same so many times in a row, at least once, as a capture shows a walk: the way goes on,
+// and the closing frame comes once, at the end.
+Clip repeated_clip(Clip clip, int times);
+
 }  // namespace promenade::motion

@@ -88,13 +88,13 @@ void build(const BuildArguments& given) {
   print_text(build_table(built));
 }
 
-void export_set(const std::string& name, const std::string& folder) {
+void export_set(const std::string& name, const std::string& folder, int times) {
   const motion::MotionSet set = study::load_motion_set(name, "");
   std::set<std::string> taken;
   std::vector<NamedBytes> files;
   for (const motion::Cycle& cycle : set.cycles) {
-    files.push_back(
-        {safe_name(cycle.name, taken) + ".bvh", motion::bvh_text(motion::cycle_clip(set, cycle))});
+    const motion::Clip clip = motion::repeated_clip(motion::cycle_clip(set, cycle), times);
+    files.push_back({safe_name(cycle.name, taken) + ".bvh", motion::bvh_text(clip)});
   }
   write_files(folder, files);
   std::fprintf(stderr, "%d cycles written to %s\n", set.size(), folder.c_str());
@@ -128,12 +128,15 @@ void add_info(CLI::App& set_command) {
 void add_export(CLI::App& set_command) {
   struct Arguments {
     std::string set, out;
+    int times = 1;
   };
   auto* command = set_command.add_subcommand("export", "One BVH file for every cycle");
   const auto given = std::make_shared<Arguments>();
   command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
   command->add_option("--out", given->out, "The folder to write to")->required();
-  command->callback([given] { export_set(given->set, given->out); });
+  command->add_option("--times", given->times, "Each cycle so many times in a row, 1 to 100")
+      ->check(CLI::Range(1, 100));
+  command->callback([given] { export_set(given->set, given->out, given->times); });
 }
 
 }  // namespace

@@ -11,17 +11,9 @@
 namespace promenade::motion {
 
 inline Clip walker_clip(const MotionSet& set, const Cycle& cycle, int repeats) {
-  const Clip one = cycle_clip(set, cycle);
-  const int frames = one.frames() - 1;
-  Clip clip = one;
+  Clip clip = repeated_clip(cycle_clip(set, cycle), repeats);
   clip.file = "walker.bvh";
   clip.unit_m.reset();
-  clip.values.resize(one.values.rows(), repeats * frames + 1);
-  const Eigen::Vector3d travel = one.values.col(frames).head<3>() - one.values.col(0).head<3>();
-  for (int f = 0; f < clip.frames(); ++f) {
-    clip.values.col(f) = one.values.col(f % frames);
-    clip.values.col(f).head<3>() += f / frames * travel;
-  }
   return clip;
 }
 
