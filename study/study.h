@@ -17,6 +17,7 @@
 #include "study/instrument.h"
 #include "study/interface.h"
 #include "study/process_measures.h"
+#include "study/split.h"
 #include "study/texts.h"
 
 namespace promenade::study {
@@ -82,6 +83,10 @@ struct Task {
   Deal deal = Deal::same;
   // With Deal::rotated: for each list the indices of its targets, as many lists as interfaces.
   std::vector<std::vector<int>> lists;
+  // Of a rate task: which of its targets each person rates, and which twice; nothing: all of
+  // them once.
+  std::optional<SplitDesign> split;
+  int repeats = 0;  // of a rate task: so many of a person's motions come a second time
 };
 
 // [[questionnaire]]: an instrument, and where in the session it is asked.
