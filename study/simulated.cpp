@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "study/impressions.h"
+#include "study/simulated_raters.h"
 
 namespace promenade::study {
 namespace {
@@ -100,7 +104,23 @@ SetAnswer SimulatedParticipant::answer_to(const Item& item) {
     case ItemKind::scale:
     case ItemKind::number: {
       const double steps = std::round((item.most - item.least) / item.step);
-      answer.value = item.least + item.step * std::round(steps * share_of_scale());
+// As simulated raters do (simulated_raters.cpp): a leaning on each pair, a hand of one's own, and
+// a doubt that is another one each time.
+std::optional<double> SimulatedParticipant::judgement_of(const Item& item) {
+  const int pair = trial_.felt.size() > 0 ? pair_asked_by(item) : -1;
+  if (pair < 0) return std::nullopt;
+  const RaterOptions raters;
+  const double leaning =
+      raters.leaning * Rng(seed_, static_cast<std::uint64_t>(pair), "leaning").normal();
+  const double bold = std::exp(raters.boldness * Rng(seed_, 0, "boldness").normal());
+  const double felt =
+      bold * judged(trial_.felt(pair)) + leaning + trial_.noise * doubt_about(pair) * rng_.normal();
+  return std::clamp(0.5 + 0.25 * felt, 0.0, 1.0);
+}
+
+      const std::optional<double> judgement = judgement_of(item);
+      const double share = judgement ? *judgement : share_of_scale();
+      answer.value = item.least + item.step * std::round(steps * share);
       break;
     }
     case ItemKind::choice: {
@@ -170,7 +190,11 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
   apply_tendencies(planned.interface);
   const Task& task = task_of(bundle_->study, planned);
-  if (task.kind == TaskKind::rate) return;
+  if (task.kind == TaskKind::rate) {
+    trial_.changes_one = state.attempt > 1 && session.answered();
+    if (bundle_->impressions.size() > 0) trial_.felt = bundle_->impressions * state.weights;
+    return;
+  }
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
   if (wanted == nullptr) {
     trial_.appeal = appeal_of(target, bundle_->space.set);

@@ -70,6 +70,8 @@ class SimulatedParticipant {
   };
   Intention at_page(const Session& session);
   Intention at_trial(const Session& session);
+    bool changes_one = false;      // it is a motion that the person has come back to
+    Eigen::VectorXd felt;          // 41: how what is rated seems (impressions.h); empty otherwise
   Intention at_questionnaire(const Session& session);
   std::optional<SetAnswer> next_answer(const Session& session);
   SetAnswer answer_to(const Item& item);
@@ -79,6 +81,8 @@ class SimulatedParticipant {
   // How far from the wish: metres of D in match, 1 - appeal in find.
   double imagined(const Eigen::VectorXd& weights) const;
   double seen(const TrialState& trial) const;
+  // A pair of adjectives, by what is seen of the walk that is rated; nothing for other items.
+  std::optional<double> judgement_of(const Item& item);
   double unit() const;  // how much of it is one metre of noise
   std::optional<ControlInput> best_idea(const Session& session, const TrialState& trial);
   Intention after(double mean_s, decltype(Input::action) action);

@@ -204,6 +204,9 @@ struct StudyBundle {
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
   std::string set_bytes, set_sha256;
+  // 41 x N: how the walks seem on the pairs of adjectives to simulated people
+  // (study/impressions.h); empty where no rate task asks for pairs.
+  Eigen::MatrixXd impressions;
   std::vector<StudyPart> parts;  // by path
   StudyTexts texts;              // of its languages; those that were frozen with it, if it was
   std::vector<Problem> warnings;
