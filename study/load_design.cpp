@@ -125,6 +125,7 @@ void read_safety(const TomlTable& root, Study& study) {
     safety.withdrawal = Withdrawal::link;
   }
   safety.copy_to = table->text("copy_to").value_or("");
+  safety.leave = table->boolean("leave").value_or(false);
   safety.keep = table->text("keep").value_or("");
 }
 

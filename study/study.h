@@ -133,6 +133,7 @@ struct Safety {
   ResumePolicy resume = ResumePolicy::continue_;
   Withdrawal withdrawal = Withdrawal::everything;
   std::string copy_to;  // a folder that gets a verified copy after each session; empty: none
+  bool leave = false;   // people may go on another day
   std::string keep;     // how long data are kept, for the page for an ethics board; empty: not said
 };
 
@@ -203,10 +204,10 @@ struct StudyBundle {
   CoverageMap coverage;
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
-  std::string set_bytes, set_sha256;
   // 41 x N: how the walks seem on the pairs of adjectives to simulated people
   // (study/impressions.h); empty where no rate task asks for pairs.
   Eigen::MatrixXd impressions;
+  std::string set_bytes, set_sha256;
   std::vector<StudyPart> parts;  // by path
   StudyTexts texts;              // of its languages; those that were frozen with it, if it was
   std::vector<Problem> warnings;

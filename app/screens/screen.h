@@ -58,7 +58,9 @@ struct ScreenMemory {
   // so far, by names.
   std::map<std::string, Draft> drafts;
   std::map<std::string, std::vector<std::string>> orders;
-  std::string writes_next;  // the field that the keyboard goes to once it is there
+  std::string next_open;     // the question that was the first one without an answer
+  bool wants_close = false;  // the page that says how to come back was read
+  std::string writes_next;   // the field that the keyboard goes to once it is there
   ExperimenterPanel panel;
 };
 
@@ -111,6 +113,7 @@ void draw_break(const Screen& screen);
 void draw_release(const Screen& screen);
 void draw_pause(const Screen& screen);    // over any page
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent
+void draw_left(const Screen& screen);     // how to come back another day
 void draw_failure(const Screen& screen);
 // The experimenter's panel: is it open, now that its keys may have been pressed?
 bool open_experimenter(const Screen& screen);
