@@ -216,16 +216,21 @@ std::string title_of(const Screen& screen, const study::InterfaceUse& use) {
   return alike > 1 ? title + " (" + use.name + ")" : title;
 }
 
-// The place among the trials of its kind: practice is not numbered.
+Place place_of(const Screen& screen, bool within_task) {
+  const study::PlannedTrial& here = planned_trial(screen);
+  Place place;
+  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
+    if (trial.practice || (within_task && trial.task != here.task)) continue;
+    ++place.count;
+    if (trial.position <= here.position) ++place.number;
+  }
+  return place;
+}
+
+// Practice is not numbered.
 std::string number_of(const Screen& screen) {
   if (planned_trial(screen).practice) return screen.texts("trial.practice");
-  int number = 0;
-  int count = 0;
-  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
-    if (trial.practice) continue;
-    ++count;
-    if (trial.position <= planned_trial(screen).position) ++number;
-  }
+  const auto [number, count] = place_of(screen, false);
   return screen.texts.with("trial.number",
                            {{"number", std::to_string(number)}, {"count", std::to_string(count)}});
 }

@@ -160,6 +160,11 @@ const study::PlannedTrial& planned_trial(const Screen& screen);
 const study::InterfaceUse& use_of(const Screen& screen);
 // What participants call it.
 std::string title_of(const Screen& screen, const study::InterfaceUse& use);
+// The place of this trial among those that count: of the session, or of its task.
+struct Place {
+  int number = 0, count = 0;
+};
+Place place_of(const Screen& screen, bool within_task);
 // "Task 3 of 20"
 std::string number_of(const Screen& screen);
 const study::Task& task_of(const Screen& screen);
