@@ -76,6 +76,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.summaries = summaries(results.data);
   results.flow = flow_of(results.log, results.selection);
   results.quality = quality_of(results.log, results.selection, results.data);
+  results.ratings = rating_quality(read_rated_motions(results.log, results.selection));
   results.deviations = deviations_of(results.log, results.selection);
   results.order = order_effects_of(results.log, results.data);
   const Questionnaires filled = read_questionnaires(results.log, results.selection);

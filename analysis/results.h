@@ -17,6 +17,7 @@
 #include "analysis/prereg/prereg_check.h"
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
+#include "analysis/rating_quality.h"
 #include "analysis/regret.h"
 #include "analysis/sensitivity.h"
 #include "analysis/summaries.h"
@@ -36,6 +37,7 @@ struct Results {
   std::vector<Summary> summaries;
   Flow flow;
   Quality quality;
+  RatingQuality ratings;  // of motions
   std::vector<Deviation> deviations;
   OrderEffects order;
   std::vector<QuestionnaireResult> questionnaires;

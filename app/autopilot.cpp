@@ -76,6 +76,8 @@ std::string button_of(const Action& action) {
   if (std::holds_alternative<study::Decline>(action)) return "decline";
   if (std::holds_alternative<study::Done>(action)) return "done";
   if (std::holds_alternative<study::StartOver>(action)) return "start_over";
+  if (std::holds_alternative<study::Back>(action)) return "back";
+  if (std::holds_alternative<study::Leave>(action)) return "leave";
   return "";
 }
 

@@ -86,8 +86,12 @@ LiveSession::Resumed LiveSession::go_on(const std::string& uuid, const study::St
     recorded_ = resumed_ = true;
     waiting_.clear();
     const std::int64_t gap_us = study::gap_us(log, study::utc_now());
-    take(study::Interrupted{gap_us, bundle.study.safety.resume}, {.t_us = now_us},
-         study::Actor::system);
+    if (session_.left()) {
+      take(study::Return{gap_us}, {.t_us = now_us}, study::Actor::system);
+    } else {
+      take(study::Interrupted{gap_us, bundle.study.safety.resume}, {.t_us = now_us},
+           study::Actor::system);
+    }
     return Resumed::yes;
   } catch (const study::TakenError&) {
     return Resumed::taken;

@@ -63,6 +63,14 @@ Palette make_palette(bool paper) {
   return palette;
 }
 
+Rgb step_colour(const Palette& palette, float share) {
+  const auto last = static_cast<float>(palette.steps.size() - 1);
+  const float at = std::clamp(share, 0.0f, 1.0f) * last;
+  const auto below = static_cast<std::size_t>(std::min(at, last - 1));
+  const float rest = at - static_cast<float>(below);
+  return (1 - rest) * palette.steps[below] + rest * palette.steps[below + 1];
+}
+
 const Rgb& ink_on(const Palette& palette, const Rgb& ground) {
   // Relative luminance; 0.18 is where black and white have the same contrast.
   const Rgb linear = ground.array().pow(2.2f);

@@ -34,6 +34,10 @@ struct Palette {
   Rgb current = rgb(0x2B5FB0);
   Rgb known = rgb(0xE6ECF5);  // the region that the examples cover
   std::array<Rgb, 3> clusters = {rgb(0xC9A66B), rgb(0x7FA38A), rgb(0xA98BB5)};  // of the examples
+  // From one of two opposite words to the other: an answer shows which way it goes. They differ
+  // in lightness from the middle, for people who do not see the hues (ColorBrewer PuOr).
+  std::array<Rgb, 5> steps = {rgb(0xB35806), rgb(0xF1A340), rgb(0x9C9C9C), rgb(0x998EC3),
+                              rgb(0x542788)};
   Rgb pilot = rgb(0xE07B1A);
   Rgb alarm = rgb(0xB3261E);      // something is lost unless somebody acts
   Rgb on_colour = rgb(0xFFFFFF);  // text on `created`
@@ -42,6 +46,9 @@ struct Palette {
 // `paper`: as the sources have them: green, blue and red ([O] 6), and on the map blue
 // examples, green bookmarks and a red dot ([N] 5.4).
 Palette make_palette(bool paper);
+
+// The colour of a place between the two words, 0 to 1.
+Rgb step_colour(const Palette& palette, float share);
 
 // Black on a light ground, white on a dark one: whichever can be read better.
 const Rgb& ink_on(const Palette& palette, const Rgb& ground);

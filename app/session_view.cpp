@@ -80,7 +80,10 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
   std::copy(options.participant.begin(), options.participant.end(), memory_.code.begin());
-  memory_.offered = options.interrupted;
+  // Whoever left is asked for the code; with it, the session is offered.
+  for (const study::InterruptedSession& one : options.interrupted) {
+    if (!one.left || !options.participant.empty()) memory_.offered.push_back(one);
+  }
 }
 
 void SessionView::speak(const std::string& language) {
@@ -172,6 +175,7 @@ bool SessionView::is_fresh() {
   if (turned) {
     memory_.drafts.clear();
     memory_.orders.clear();
+    memory_.next_open.clear();
   }
   return turned || covered;
 }
@@ -248,6 +252,7 @@ void SessionView::take_actions() {
     closed_ = closed_ || !actions_.empty();
     return;
   }
+  if (memory_.wants_close) return close_left();
   if (memory_.wants_end) return end(closed_by_hand, moment.t_us, study::Actor::participant);
   for (StudyAction& action : actions_) live_.take(std::move(action), moment);
   for (StudyAction& order : orders_) {
@@ -334,8 +339,15 @@ void SessionView::take_late_frames(std::int64_t until_us) {
   }
 }
 
+// Nothing ends: the session waits for its return.
+void SessionView::close_left() {
+  live_.save();
+  closed_ = true;
+}
+
 void SessionView::stop(const std::string& reason, std::int64_t now_us, study::Actor actor) {
   settle(now_us);
+  if (live_.session().left()) return close_left();
   end(reason, now_us, actor);
 }
 

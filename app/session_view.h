@@ -74,6 +74,7 @@ class SessionView {
   void take_presses();
   void take_actions();
   void leave_welcome();
+  void close_left();
   bool is_expected();
   void resume(const std::string& uuid, std::int64_t now_us);
   void refuse_offers();

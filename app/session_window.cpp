@@ -109,7 +109,9 @@ class Player {
     options.ask_roster = setting_.ask_roster;
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
       const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
-      if (wanted && one.station == setting_.station) options.interrupted.push_back(std::move(one));
+      // Whoever left may come back anywhere.
+      if (wanted && (one.left || one.station == setting_.station))
+        options.interrupted.push_back(std::move(one));
     }
     return options;
   }

@@ -151,14 +151,15 @@ bool button(const Ui& ui, std::string_view target, const Box& box, std::string_v
 }
 
 bool answer_button(const Ui& ui, std::string_view target, const Box& box, std::string_view label,
-                   bool chosen, bool stop) {
+                   bool chosen, bool stop, const Rgb* ground) {
   const Palette& palette = ui.look.palette;
   Widget widget;
   widget.on = chosen;
   widget.stop = stop;
   const Touch now = touch(ui, "press", target, box, widget);
   const float dim = now.held ? 0.86f : now.hovered ? 0.93f : 1;
-  fill(box, dim * (chosen ? palette.created : palette.on_colour));
+  const Rgb& colour = ground != nullptr ? *ground : palette.created;
+  fill(box, dim * (chosen ? colour : palette.on_colour));
   if (!chosen) frame(box, palette.line, ui.layout.size(1));
   draw_text(chosen ? ui.look.fonts.bold : ui.look.fonts.text, box,
             chosen ? palette.on_colour : palette.text, label, Align::centre);

@@ -52,9 +52,9 @@ bool button(const Ui& ui, std::string_view target, const Box& box, std::string_v
             ButtonKind kind, bool enabled = true);
 
 // One of the answers to a question; true: pressed and released on it. The Tab key passes by
-// what does not `stop` it.
+// what does not `stop` it. `ground`: of a chosen one; null: the colour of what was made.
 bool answer_button(const Ui& ui, std::string_view target, const Box& box, std::string_view label,
-                   bool chosen, bool stop = true);
+                   bool chosen, bool stop = true, const Rgb* ground = nullptr);
 
 // The same where the answer is drawn elsewhere.
 bool answer_area(const Ui& ui, std::string_view target, const Box& box, bool chosen);

@@ -61,7 +61,7 @@ class Deficits {
 
 }  // namespace
 
-DesignRound round_of(const Study& study) { return {rows_of_design(study), round_of_design(study)}; }
+DesignRound round_of(const Study& study) { return {rows_of_design(study), cells_of_design(study)}; }
 
 std::vector<int> next_orders(const std::vector<GivenOrder>& given, DesignRound round, int count) {
   assert(round.rows > 0 && round.cells % round.rows == 0 && "a round has whole designs");

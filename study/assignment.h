@@ -21,7 +21,7 @@ struct GivenOrder {
   State state = State::counts;
 };
 
-// After `cells` sequences every order has met every rotation of the lists once; sequences that
+// After `cells` sequences all that is balanced begins again (cells_of_design); sequences that
 // are equal modulo `rows` have one order of the interfaces (plan.h).
 struct DesignRound {
   int rows = 1, cells = 1;

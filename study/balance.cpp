@@ -34,6 +34,17 @@ Eigen::MatrixXi count_lists(const Study& study, int task, const std::vector<Plan
   return counts;
 }
 
+Eigen::VectorXi count_ratings(const Task& task, int index, const std::vector<Plan>& plans) {
+  Eigen::VectorXi counts = Eigen::VectorXi::Zero(static_cast<Eigen::Index>(task.targets.size()));
+  for (const Plan& plan : plans) {
+    for (const PlannedTrial& trial : plan.trials) {
+      const bool here = trial.task == index && !trial.practice && trial.showing == 1;
+      if (here) ++counts(trial.target);
+    }
+  }
+  return counts;
+}
+
 }  // namespace
 
 std::vector<int> block_order(const Plan& plan) {
@@ -61,6 +72,11 @@ Balance balance_of(const Study& study, const std::vector<Plan>& plans) {
                  differ_by_one_at_most(balance.carry_over, true);
   for (std::size_t t = 0; t < study.tasks.size(); ++t) {
     balance.lists.emplace_back();
+    balance.ratings.emplace_back();
+    if (study.tasks[t].split) {
+      balance.ratings.back() = count_ratings(study.tasks[t], static_cast<int>(t), plans);
+      balance.even = balance.even && differ_by_one_at_most(balance.ratings.back(), false);
+    }
     if (!is_dealt(study.tasks[t])) continue;
     balance.lists.back() = count_lists(study, static_cast<int>(t), plans);
     balance.even = balance.even && differ_by_one_at_most(balance.lists.back(), false);

@@ -15,6 +15,9 @@ struct Balance {
   Eigen::MatrixXi carry_over;  // interfaces x interfaces: how often row came right before column
   // For each task: its interfaces x lists, how often; 0 x 0 where all interfaces get all targets.
   std::vector<Eigen::MatrixXi> lists;
+  // For each task with a split design: how many people rate each of its targets, practice and
+  // repeats apart; empty where there is none.
+  std::vector<Eigen::VectorXi> ratings;
   // No count differs by more than one from the others of its table (the diagonal of
   // carry_over apart).
   bool even = true;

@@ -16,13 +16,15 @@ struct Plain {
 };
 
 // Actions that have nothing but their name.
-const std::array<Plain, 12>& plain_actions() {
-  static const std::array<Plain, 12> all = {{{"continue", Continue{}},
+const std::array<Plain, 14>& plain_actions() {
+  static const std::array<Plain, 14> all = {{{"continue", Continue{}},
                                              {"decline", Decline{}},
                                              {"press", Press{}},
                                              {"done", Done{}},
                                              {"start_over", StartOver{}},
                                              {"undo", Undo{}},
+                                             {"back", Back{}},
+                                             {"leave", Leave{}},
                                              {"redo", Redo{}},
                                              {"pause", Pause{}},
                                              {"resume", Resume{}},
@@ -73,6 +75,7 @@ std::optional<Action> action_of(const Event& event) {
   if (event.kind == "interrupted") {
     return Interrupted{std::llround(1e6 * event.value.value_or(0)), resume_policy_of(event.target)};
   }
+  if (event.kind == "return") return Return{std::llround(1e6 * event.value.value_or(0))};
   if (event.kind == "late_frame") return LateFrame{std::llround(event.value.value_or(0))};
   if (event.kind == "camera") return camera_of(detail);
   if (event.kind == "stop") return Stop{detail.value("reason", "")};

@@ -52,17 +52,44 @@ void read_design(const TomlTable& table, Study& study) {
   study.most_minutes = table.number("most_minutes", 1, 1440).value_or(study.most_minutes);
 }
 
-void warn_of_numbers(const TomlTable& root, const Study& study) {
-  const int round = round_of_design(study);
-  const int people = study.participants;
-  if (people == 0 || people % round == 0) return;
-  const bool lists = round != rows_of_design(study);
+namespace {
+
+// "10 or 20", the next good numbers.
+std::string next_multiples(int people, int round) {
   const int rounds = std::max(1, people / round);
-  root.table("study")->warning(
-      "participants", fmt::format("{} people are not balanced over the {} orders of the interfaces"
-                                  "{}; {} or {} are",
-                                  people, round, lists ? " with the lists of targets" : "",
-                                  rounds * round, (rounds + 1) * round));
+  return fmt::format("{} or {}", rounds * round, (rounds + 1) * round);
+}
+
+void warn_of_orders(const TomlTable& section, const Study& study) {
+  const int round = round_of_orders(study);
+  if (study.participants % round == 0) return;
+  const bool lists = round != rows_of_design(study);
+  section.warning("participants",
+                  fmt::format("{} people are not balanced over the {} orders of the interfaces"
+                              "{}; {} are",
+                              study.participants, round, lists ? " with the lists of targets" : "",
+                              next_multiples(study.participants, round)));
+}
+
+void warn_of_ratings(const TomlTable& section, const Study& study) {
+  for (const Task& task : study.tasks) {
+    if (!task.split || study.participants % round_of_ratings(*task.split) == 0) continue;
+    section.warning(
+        "participants",
+        fmt::format("{} people who rate {} of {} motions each rate some of the task \"{}\" more "
+                    "often than others; {} people do not",
+                    study.participants, task.split->each(), task.split->motions(), task.name,
+                    next_multiples(study.participants, round_of_design(study))));
+  }
+}
+
+}  // namespace
+
+void warn_of_numbers(const TomlTable& root, const Study& study) {
+  if (study.participants == 0) return;
+  const TomlTable section = *root.table("study");
+  warn_of_orders(section, study);
+  warn_of_ratings(section, study);
 }
 
 void read_breaks(const TomlTable& root, Study& study) {
@@ -98,6 +125,7 @@ void read_safety(const TomlTable& root, Study& study) {
     safety.withdrawal = Withdrawal::link;
   }
   safety.copy_to = table->text("copy_to").value_or("");
+  safety.leave = table->boolean("leave").value_or(false);
   safety.keep = table->text("keep").value_or("");
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "study/adjective_model.h"
 #include "study/embedded.h"
 #include "study/identity.h"
+#include "study/impressions.h"
 #include "study/pack.h"
 #include "study/plan.h"
 #include "study/prereg_seal.h"
@@ -123,6 +125,13 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
+bool rates_pairs(const Study& study) {
+  return std::any_of(study.tasks.begin(), study.tasks.end(), [&](const Task& task) {
+    return task.instrument >= 0 &&
+           asks_for_pairs(study.instruments[static_cast<std::size_t>(task.instrument)]);
+  });
+}
+
 // What was drawn, and what the first participant gets: another program may draw otherwise. To
 // six places, so that the last bits of another machine make no other study.
 void put_draws(const Study& study, std::string& bytes) {
@@ -216,6 +225,10 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
   if (reader.ok()) warn_of_numbers(root, study);
+  if (reader.ok() && rates_pairs(study)) {
+    bundle.impressions =
+        impressions_of(bundle.space.set, motion::builtin_name(study.set).value_or(""));
+  }
   bundle.warnings = reader.finish();
   bundle.parts = files.parts();
   bundle.file = file;

@@ -224,20 +224,6 @@ void take_targets(const TomlTable& table, const Task& guess, Task& task) {
   task.lists = guess.lists;
 }
 
-void read_rate(const TomlTable& table, const StudyContext& context, Task& task) {
-  if (table.has("interfaces")) {
-    table.error("interfaces", "nothing is made in a \"rate\" task, so that it has no interfaces");
-  }
-  task.interfaces.clear();
-  task.has_done = true;
-  table.require("instrument");
-  task.instrument = context.instruments.find(table, "instrument");
-  const TargetRules anywhere{task.name, {}, 0.0};
-  task.targets = read_targets(table, "targets", context, anywhere);
-  task.practice = read_targets(table, "practice", context, anywhere);
-  if (!table.has("targets")) table.error(R"(a "rate" task needs "targets", the motions to rate)");
-}
-
 void read_by_kind(const TomlTable& table, const StudyContext& context,
                   const std::vector<Task>& before, bool known, Task& task) {
   read_start(table, before, task);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "study/plan_pages.h"
+#include "study/repeats.h"
 
 namespace promenade::study {
 namespace {
@@ -34,6 +35,14 @@ std::vector<int> interface_order(const Study& study, int sequence) {
 int dealer_of(const Study& study, int task) {
   const int guess = study.tasks[static_cast<std::size_t>(task)].start_guess;
   return guess >= 0 ? guess : task;
+}
+
+// In the order of the file.
+std::vector<int> rated_by(const Task& task, int sequence) {
+  if (!task.split) return counted(task.targets.size());
+  std::vector<int> targets = motions_of(*task.split, sequence);
+  std::sort(targets.begin(), targets.end());
+  return targets;
 }
 
 bool contains(const std::vector<int>& values, int value) {
@@ -77,8 +86,9 @@ class Trials {
       for (std::size_t k = 0; k < task(index).practice.size(); ++k) {
         add({-1, index, static_cast<int>(k)}, true);
       }
-      for (const int target : targets_in_order(task(index).targets.size())) {
-        add({-1, index, target}, false);
+      for (const Showing& one : showings(task(index))) {
+        add({-1, index, one.target}, false);
+        plan_.trials.back().showing = one.showing;
       }
     }
   }
@@ -141,11 +151,23 @@ class Trials {
     return tasks;
   }
 
-  std::vector<int> targets_in_order(std::size_t count) {
-    std::vector<int> targets = counted(count);
-    const bool fixed = study_.order == Order::fixed || study_.target_order == Sequence::fixed;
-    if (!fixed) order_.shuffle(targets);
+  std::vector<int> targets_in_order(std::size_t count) { return in_order(counted(count)); }
+
+  bool is_fixed() const {
+    return study_.order == Order::fixed || study_.target_order == Sequence::fixed;
+  }
+
+  std::vector<int> in_order(std::vector<int> targets) {
+    if (!is_fixed()) order_.shuffle(targets);
     return targets;
+  }
+
+  std::vector<Showing> showings(const Task& task) {
+    const bool repeats = task.split && task.repeats > 0;
+    return with_repeats(
+        in_order(rated_by(task, plan_.sequence)),
+        repeats ? repeated_of(*task.split, task.repeats, plan_.sequence) : std::vector<int>(),
+        is_fixed());
   }
 
   bool is_dealt(const Choice& choice) const {
@@ -200,7 +222,7 @@ int rows_of_design(const Study& study) {
   return study.order == Order::williams ? static_cast<int>(williams_design(n).size()) : 1;
 }
 
-int round_of_design(const Study& study) {
+int round_of_orders(const Study& study) {
   int lists = 1;
   for (const Task& task : study.tasks) {
     if (task.deal == Deal::rotated && !task.lists.empty()) {
@@ -208,6 +230,22 @@ int round_of_design(const Study& study) {
     }
   }
   return rows_of_design(study) * lists;
+}
+
+int round_of_design(const Study& study) {
+  int round = round_of_orders(study);
+  for (const Task& task : study.tasks) {
+    if (task.split) round = std::lcm(round, round_of_ratings(*task.split));
+  }
+  return round;
+}
+
+int cells_of_design(const Study& study) {
+  int cells = round_of_design(study);
+  for (const Task& task : study.tasks) {
+    if (task.split) cells = std::lcm(cells, round_of_pairs(*task.split));
+  }
+  return cells;
 }
 
 // Over as many sequences as there are lists every interface meets every list; over all orders

@@ -24,6 +24,7 @@ struct PlannedTrial {
   int task = 0;       // index into Study::tasks
   int interface = 0;  // index into Study::interfaces; -1 in rate tasks
   int target = 0;     // index into Task::targets, or Task::practice
+  int showing = 1;    // of this target in this task: 2 where a motion comes again
   // N: of a target that is drawn for each participant; empty: Target::weights says it.
   Eigen::VectorXd drawn = {};
 };
@@ -69,8 +70,14 @@ std::string_view to_text(PageKind kind);
 // drawn by lot.
 int rows_of_design(const Study& study);
 // How many sequences bring every order of the design together with every rotation of the lists
-// of targets: the number of participants is balanced when it is a multiple of this.
+// of targets.
+int round_of_orders(const Study& study);
+// The same, and every motion of a split design was rated equally often: the number of
+// participants is balanced when it is a multiple of this.
 int round_of_design(const Study& study);
+// After so many sequences everything that is balanced by number begins again, and so a person
+// can be replaced by one whose number is the same modulo this.
+int cells_of_design(const Study& study);
 
 // Which of the lists of a task this interface gets.
 int list_of(const Study& study, int task, int interface, int sequence);

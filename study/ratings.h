@@ -40,7 +40,8 @@ struct DatabaseRatings {
 
 // The answers about a trial whose item is one of the 41 pairs ("slow-fast"), or any item
 // of the instrument that is named: the person is the rater, the trial's target the
-// motion, the value -2 to 2. The last answer to an item counts; declined and
+// motion, the value -2 to 2. Of a motion that came twice both ratings count, of
+// a motion that was rated in several sessions the last; superseded, declined and
 // untouched ones, practice, and people who declined or withdrew do not. The motions are
 // those of `set`, or else of the set in the file. Throws InputError when there are no
 // ratings, when a value is outside, or when a motion is not in `set`.

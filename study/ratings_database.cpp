@@ -19,16 +19,24 @@ constexpr double most = 2;  // of a five-point scale from -2 to 2
 
 constexpr const char* answer_query =
     "SELECT participant.uuid, trial.target, answer.item, answer.value, answer.instrument, "
-    "session.simulated, session.pilot "
+    "session.simulated, session.pilot, trial.uuid, session.uuid "
     "FROM answer JOIN trial ON trial.uuid = answer.trial "
     "JOIN session ON session.uuid = answer.session "
     "JOIN participant ON participant.uuid = session.participant "
     "WHERE answer.value IS NOT NULL AND answer.declined = 0 AND answer.touched = 1 "
-    "AND trial.practice = 0 AND session.outcome NOT IN ('declined', 'withdrawn') "
+    "AND trial.practice = 0 AND trial.superseded = 0 AND session.outcome NOT IN ('declined', "
+    "'withdrawn') "
     "ORDER BY session.started_utc, session.uuid, answer.t_us";
 
+// Of one person, motion and pair. Who rates a motion again, in another session, has another word
+// in it; within a session the motion came twice, and both count.
+struct Ratings {
+  std::string session;
+  std::map<std::string, double> by_trial;  // uuid
+};
+
 struct Found {
-  std::map<std::tuple<std::string, std::string, std::string>, double> last;  // rater, motion, pair
+  std::map<std::tuple<std::string, std::string, std::string>, Ratings> last;  // rater, motion, pair
   bool simulated = false;
   int left_out = 0;  // of simulated or pilot sessions
   std::vector<Problem> problems;
@@ -57,8 +65,9 @@ Found read_answers(Database& database, const RatingSelection& selection) {
            Severity::error});
     }
     found.simulated = found.simulated || simulated;
-    // A person who rates a motion again, in another session, has another word in it.
-    found.last[{row.text(0), row.text(1), pair}] = value;
+    Ratings& ratings = found.last[{row.text(0), row.text(1), pair}];
+    if (ratings.session != row.text(8)) ratings = {row.text(8), {}};
+    ratings.by_trial[row.text(7)] = value;
   }
   return found;
 }
@@ -100,8 +109,10 @@ DatabaseRatings read_database_ratings(const std::string& file, const RatingSelec
   Found found = read_answers(database, selection);
   if (found.problems.empty() && found.last.empty()) report_none(file, found);
   std::vector<NamedRating> ratings;
-  for (const auto& [key, value] : found.last) {
-    ratings.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), value});
+  for (const auto& [key, given] : found.last) {
+    for (const auto& [trial, value] : given.by_trial) {
+      ratings.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), value});
+    }
   }
   DatabaseRatings result;
   result.set = set ? std::optional(*set) : set_in(database);

@@ -40,6 +40,8 @@ struct Pause {};      // everything stands still
 struct Resume {};     // and goes on
 struct Press {};      // a mouse button went down: Input::x, y in pixels
 struct Done {};       // the participant ends the trial
+struct Back {};       // in a rate task: to the motion before, with its answers
+struct Leave {};      // the participant goes on another day; the program may end now
 struct StartOver {};  // back to the state in which the trial began
 struct Undo {};       // what was last done to the controls
 struct Redo {};
@@ -86,6 +88,11 @@ struct Interrupted {
   ResumePolicy policy = ResumePolicy::continue_;
 };
 
+// Whoever left is back: first input after a replay of the log.
+struct Return {
+  std::int64_t gap_us = 0;  // by the wall clock, from the last event to now
+};
+
 struct Input {
   std::int64_t t_us = 0;  // since the session began; never goes back
   std::int64_t uncertainty_us = 0;
@@ -94,19 +101,19 @@ struct Input {
   double x = 0, y = 0;  // pointer, pixels
   std::variant<Tick, Wait, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver,
                Undo, Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release,
-               Skip, Repeat, Interrupted>
+               Skip, Repeat, Interrupted, Back, Leave, Return>
       action;
 };
 
 // What is logged: one for each row of the database, in order. Kinds of events:
 // "page" (target: which one, value: its place in the plan, from 0), "start" (a trial
 // begins from the common start), "language" (target: the one chosen), "continue",
-// "continue_refused", "done_refused", "decline", "pause", "resume", "press", "done",
-// "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame", "stop"; of the
-// system also "won" (D stayed below the threshold for the dwell time), "timeout",
+// "continue_refused", "done_refused", "back", "leave", "decline", "pause", "resume", "press",
+// "done", "start_over", "undo", "redo", "answer", "camera", "playback", "late_frame", "stop"; of
+// the system also "won" (D stayed below the threshold for the dwell time), "timeout",
 // "won_by_guess" (a trial that its guess had already won), "practice_again" and
-// "practice_over" (value: successes; target: why) and "interrupted" (value: the gap in
-// seconds, target: the policy); of
+// "practice_over" (value: successes; target: why), "interrupted" (value: the gap in
+// seconds, target: the policy) and "return" (value: likewise); of
 // the experimenter also "note", "release", "skip" and "repeat" (target: "trial", "block", or
 // "guess": the trial with the guess that had won it);
 // and what was done to a control under the interface's own word, with
@@ -194,6 +201,12 @@ struct LastTrial {
   TrialOutcome outcome = TrialOutcome::done;
 };
 
+// What was answered of a motion, for when its page opens again.
+struct KeptAnswers {
+  std::vector<ItemAnswer> answers;        // in the order of the instrument
+  std::vector<std::int64_t> answered_us;  // when each was given
+};
+
 // The running trial, for the screen.
 struct TrialState {
   int index = 0;    // into Plan::trials
@@ -254,6 +267,12 @@ class Session {
   bool answered() const;  // all that is needed
   // Now, which is the time of the last input.
   bool can_continue() const;
+  // In a rate task, where the motion before can be rated again (Back).
+  bool can_go_back() const;
+  // Where the study lets people go on another day (Leave).
+  bool can_leave() const;
+  // They left: until Return comes nothing counts, and nothing is shown but how to come back.
+  bool left() const { return left_; }
   // What the experimenter can do now.
   bool can_skip() const;
   bool can_repeat() const { return last_begun_ >= 0; }
@@ -265,7 +284,8 @@ class Session {
   const std::optional<LastTrial>& just_ended() const { return just_ended_; }
 
  private:
-  struct Steps;  // what each action does: session_steps.h
+  struct Steps;              // what each action does: session_steps.h
+  int trial_before() const;  // where Back leads: an index into Plan::trials; -1: nowhere
   const StudyBundle* bundle_;
   const InterfaceRegistry* registry_;
   Plan plan_;
@@ -275,6 +295,7 @@ class Session {
   std::vector<ItemAnswer> answers_;
   std::vector<std::int64_t> answered_us_;  // when each was given
   std::vector<int> item_order_;
+  std::map<int, KeptAnswers> kept_;       // of rate trials, by index into Plan::trials
   std::map<int, TrialOutcome> outcomes_;  // by trial: of its last attempt
   int practice_rounds_ = 0;               // of the block that runs, to criterion
   int last_begun_ = -1;                   // index into Plan::trials
@@ -288,6 +309,7 @@ class Session {
   std::vector<int> attempts_;                // by index into Plan::trials: how often it was begun
   std::int64_t now_us_ = 0, opened_us_ = 0;  // of the last input; of the page
   std::optional<std::int64_t> paused_since_us_;
+  bool left_ = false;
   std::optional<LastTrial> just_ended_;
 };
 

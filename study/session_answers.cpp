@@ -42,6 +42,7 @@ void Session::Steps::open_questions() {
   if (asked == nullptr) return;
   Rng rng(session.plan_.seed, session.page_, "items");
   session.item_order_ = study::item_order(*asked, rng);
+  fill_in();
 }
 
 void Session::Steps::emit_answers() {

@@ -148,10 +148,11 @@ bool Session::Steps::repeat_practice(std::int64_t t_us) {
 }
 
 void Session::Steps::supersede(int trial, std::int64_t t_us) {
-  if (session.attempts_[static_cast<std::size_t>(trial)] == 0) return;
+  if (session.outcomes_.count(trial) == 0) return;  // not begun, or begun and taken back
   records.emplace_back(TrialSuperseded{trial, t_us});
   session.guesses_.erase(trial);
   session.outcomes_.erase(trial);
+  session.kept_.erase(trial);
 }
 
 // What its guess has won cannot go otherwise as long as the guess stays. What stands in the
@@ -227,6 +228,7 @@ void Session::Steps::act(const Interrupted& gap) {
   Event& event = log("interrupted");
   event.value = 1e-6 * static_cast<double>(gap.gap_us);
   event.target = to_text(gap.policy);
+  if (session.left()) return;  // nobody was there to be interrupted
   const bool redo_trial = gap.policy == ResumePolicy::redo_trial && session.trial_;
   const bool redo_block = gap.policy == ResumePolicy::redo_block && within_block();
   if (redo_trial || redo_block) {

@@ -194,7 +194,8 @@ std::int64_t gap_us(const LoggedSession& session, const std::string& now_utc) {
   if (!since_start_s) return 0;
   double gap_s = static_cast<double>(*since_start_s) - 1e-6 * static_cast<double>(session.last_us);
   for (const LoggedStep& step : session.steps) {
-    if (!step.sample && step.event.kind == "interrupted") gap_s -= step.event.value.value_or(0);
+    const bool gap = step.event.kind == "interrupted" || step.event.kind == "return";
+    if (!step.sample && gap) gap_s -= step.event.value.value_or(0);
   }
   return std::max<std::int64_t>(0, std::llround(1e6 * gap_s));
 }

@@ -17,6 +17,7 @@ bool Session::Steps::stands() const {
            std::is_same_v<Action, Skip> || std::is_same_v<Action, Repeat> ||
            std::is_same_v<Action, Release>;
   };
+  if (session.left()) return !std::holds_alternative<Return>(input.action);
   return session.paused() && !std::visit(ends_it, input.action);
 }
 
@@ -39,5 +40,25 @@ void Session::Steps::act(const Pause&) {
 }
 
 void Session::Steps::act(const Resume&) {}  // wake() came before
+
+// Between two tasks, where nothing is half done.
+bool Session::can_leave() const {
+  const PageKind kind = page().kind;
+  return bundle_->study.safety.leave && !ended() && !paused() &&
+         (kind == PageKind::instructions || kind == PageKind::intro || kind == PageKind::break_);
+}
+
+void Session::Steps::act(const Leave&) {
+  if (!session.can_leave()) return;
+  log("leave");
+  session.paused_since_us_ = input.t_us;
+  session.left_ = true;
+}
+
+void Session::Steps::act(const Return& gap) {
+  if (!session.left()) return;
+  session.left_ = false;
+  log("return").value = 1e-6 * static_cast<double>(gap.gap_us);
+}
 
 }  // namespace promenade::study

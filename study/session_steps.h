@@ -35,6 +35,11 @@ struct Session::Steps {
   void repeat(bool block, bool with_guess);
   bool within_block() const;
 
+  // session_back.cpp: the way back in a rate task
+  void keep_answers();
+  void fill_in();
+  void reopen(int trial);
+
   // session_trial.cpp: the running trial
   void open_trial(std::int64_t t_us);
   void begin_trial(std::int64_t t_us);
@@ -73,6 +78,9 @@ struct Session::Steps {
   void act(const Skip& skip);
   void act(const Repeat& what);
   void act(const Interrupted& gap);
+  void act(const Back&);
+  void act(const Leave&);
+  void act(const Return& gap);
 
   // session_pause.cpp
   void act(const Pause&);

@@ -179,6 +179,7 @@ void Session::Steps::end_trial(std::int64_t t_us, TrialOutcome outcome) {
   const bool guessed = kept && task().kind == TaskKind::guess && session.trial_->touched;
   if (guessed) session.guesses_[index] = std::move(session.trial_->interface);
   session.outcomes_[index] = outcome;
+  keep_answers();
   session.trial_.reset();
   records.emplace_back(ended);
 }

@@ -20,7 +20,8 @@ bool by_hand(const decltype(Input::action)& action) {
   return std::holds_alternative<Control>(action) || std::holds_alternative<Done>(action) ||
          std::holds_alternative<StartOver>(action) || std::holds_alternative<Continue>(action) ||
          std::holds_alternative<SetAnswer>(action) ||
-         std::holds_alternative<ChooseLanguage>(action) || std::holds_alternative<Resume>(action);
+         std::holds_alternative<ChooseLanguage>(action) || std::holds_alternative<Resume>(action) ||
+         std::holds_alternative<Back>(action) || std::holds_alternative<Leave>(action);
 }
 
 // Work that several threads do out of order and one takes in order, never more than
@@ -171,7 +172,8 @@ class PlayedSession {
   void step(std::int64_t wait_us, decltype(Input::action) action) {
     input_.t_us += wait_us;
     const bool by_experimenter = std::holds_alternative<Release>(action);
-    const bool by_system = std::holds_alternative<Interrupted>(action);
+    const bool by_system =
+        std::holds_alternative<Interrupted>(action) || std::holds_alternative<Return>(action);
     input_.actor = by_experimenter ? Actor::experimenter
                    : by_system     ? Actor::system
                                    : Actor::participant;
@@ -215,7 +217,9 @@ void resume_simulated(const StudyBundle& bundle, const InterfaceRegistry& regist
   PlayedSession played(bundle, registry, session, Rng(seed, log.seed, "resumed").next(), {},
                        log.last_us,
                        [&store](const std::vector<Record>& step) { store.write(step); });
-  played.step(0, Interrupted{gap_us(log, utc_now()), bundle.study.safety.resume});
+  const std::int64_t gap = gap_us(log, utc_now());
+  played.step(0, session.left() ? decltype(Input::action)(Return{gap})
+                                : Interrupted{gap, bundle.study.safety.resume});
   played.play();
   store.end_session(utc_now());
 }

@@ -2,9 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "study/impressions.h"
+#include "study/simulated_raters.h"
 
 namespace promenade::study {
 namespace {
+
+constexpr std::int64_t away_us = 24LL * 3600 * 1'000'000;  // of those who leave
+constexpr double second_thoughts = 0.04;  // share of rated motions after which people go back
 
 // Positive, with this mean; sigma is the standard deviation of the logarithm.
 double log_normal(Rng& rng, double mean, double sigma) {
@@ -64,6 +71,7 @@ Intention SimulatedParticipant::after(double mean_s, decltype(Input::action) act
 }
 
 Intention SimulatedParticipant::next(const Session& session) {
+  if (session.left()) return {0, Return{away_us}};
   if (session.paused()) return after(person_.think_s, Resume{});
   switch (session.page().kind) {
     case PageKind::trial:
@@ -82,6 +90,9 @@ Intention SimulatedParticipant::next(const Session& session) {
 Intention SimulatedParticipant::at_page(const Session& session) {
   const bool to_read =
       session.page().kind == PageKind::consent || session.page().kind == PageKind::instructions;
+  if (session.can_leave() && Rng(seed_, ++chances_, "leave").uniform() < tendencies_.leaving) {
+    return after(5, Leave{});
+  }
   Intention next = after(to_read ? 12 : 3, Continue{});
   next.wait_us += session.break_left_us();
   return next;
@@ -93,6 +104,20 @@ double SimulatedParticipant::share_of_scale() {
   return std::clamp(0.25 + 0.55 * trial_.success + leaning + 0.12 * rng_.normal(), 0.0, 1.0);
 }
 
+// As simulated raters do (simulated_raters.cpp): a leaning on each pair, a hand of one's own, and
+// a doubt that is another one each time.
+std::optional<double> SimulatedParticipant::judgement_of(const Item& item) {
+  const int pair = trial_.felt.size() > 0 ? pair_asked_by(item) : -1;
+  if (pair < 0) return std::nullopt;
+  const RaterOptions raters;
+  const double leaning =
+      raters.leaning * Rng(seed_, static_cast<std::uint64_t>(pair), "leaning").normal();
+  const double bold = std::exp(raters.boldness * Rng(seed_, 0, "boldness").normal());
+  const double felt =
+      bold * judged(trial_.felt(pair)) + leaning + trial_.noise * doubt_about(pair) * rng_.normal();
+  return std::clamp(0.5 + 0.25 * felt, 0.0, 1.0);
+}
+
 SetAnswer SimulatedParticipant::answer_to(const Item& item) {
   SetAnswer answer{item.name};
   const auto choose = [this](std::size_t count) { return rng_.below(count); };
@@ -100,7 +125,9 @@ SetAnswer SimulatedParticipant::answer_to(const Item& item) {
     case ItemKind::scale:
     case ItemKind::number: {
       const double steps = std::round((item.most - item.least) / item.step);
-      answer.value = item.least + item.step * std::round(steps * share_of_scale());
+      const std::optional<double> judgement = judgement_of(item);
+      const double share = judgement ? *judgement : share_of_scale();
+      answer.value = item.least + item.step * std::round(steps * share);
       break;
     }
     case ItemKind::choice: {
@@ -145,6 +172,44 @@ Intention SimulatedParticipant::at_questionnaire(const Session& session) {
   return after(1, Continue{});
 }
 
+// Now and then somebody thinks again about the motion before, and changes one answer there.
+Intention SimulatedParticipant::at_rating(const Session& session) {
+  const int index = session.trial()->index;
+  const auto place = static_cast<std::uint64_t>(index);
+  const bool again = session.can_go_back() && thought_again_.count(index) == 0 &&
+                     Rng(seed_, place, "back").uniform() < second_thoughts;
+  if (again) {
+    thought_again_.insert(index);
+    return after(2, Back{});
+  }
+  if (std::exchange(trial_.changes_one, false)) {
+    const std::vector<Item>& items = session.questions()->items;
+    return after(2.5, answer_to(items[rng_.below(items.size())]));
+  }
+  if (auto answer = next_answer(session)) {
+    if (draws_a_line()) return after(0.5, in_line(session, std::move(*answer)));
+    return after(2.5, std::move(*answer));
+  }
+  return after(1, Done{});
+}
+
+// Who only wants to be done with it.
+bool SimulatedParticipant::draws_a_line() const {
+  return Rng(seed_, 0, "straight_lining").uniform() < tendencies_.straight_lining;
+}
+
+// The same step of every scale of a motion, but for one in twenty.
+SetAnswer SimulatedParticipant::in_line(const Session& session, SetAnswer answer) {
+  const Item* item = find_item(*session.questions(), answer.item);
+  if (item->kind != ItemKind::scale || rng_.below(20) == 0) return answer;
+  const auto steps =
+      static_cast<std::uint64_t>(std::lround((item->most - item->least) / item->step));
+  const auto motion = static_cast<std::uint64_t>(session.trial()->index);
+  const std::uint64_t line = Rng(seed_, motion, "line").below(steps + 1);
+  answer.value = item->least + item->step * static_cast<double>(line);
+  return answer;
+}
+
 void SimulatedParticipant::apply_tendencies(int interface) {
   trial_.noise = tendencies_.noise * std::pow(1 - tendencies_.learning, trial_.index);
   if (interface < 0) return;
@@ -170,7 +235,11 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   trial_.patience_s = log_normal(rng_, person_.patience_s, 0.3);
   apply_tendencies(planned.interface);
   const Task& task = task_of(bundle_->study, planned);
-  if (task.kind == TaskKind::rate) return;
+  if (task.kind == TaskKind::rate) {
+    trial_.changes_one = state.attempt > 1 && session.answered();
+    if (bundle_->impressions.size() > 0) trial_.felt = bundle_->impressions * state.weights;
+    return;
+  }
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
   if (wanted == nullptr) {
     trial_.appeal = appeal_of(target, bundle_->space.set);
@@ -228,10 +297,7 @@ Intention SimulatedParticipant::at_trial(const Session& session) {
     begin_trial(session);
     return after(1.5 * person_.think_s, Tick{});  // a first look
   }
-  if (session.questions() != nullptr) {
-    if (auto answer = next_answer(session)) return after(2.5, std::move(*answer));
-    return after(1, Done{});
-  }
+  if (session.questions() != nullptr) return at_rating(session);
   const double now = seen(trial);
   trial_.success = std::clamp(1 - now / std::max(trial_.first, 1e-9), 0.0, 1.0);
   if (trial.below_since_us && !trial_.blind) return {300'000, Tick{}};  // it fits: hands off

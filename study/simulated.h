@@ -10,6 +10,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 
 #include "study/session.h"
@@ -39,6 +40,8 @@ struct Tendencies {
   // own factor of the noise, and of their own addition to ratings.
   double aptitude = 0;
   double taste = 0;
+  double leaving = 0;          // share of the pages where people can leave on which they do
+  double straight_lining = 0;  // share of people who answer all items of a motion alike
 };
 
 // What the person does next, and after how long.
@@ -67,12 +70,19 @@ class SimulatedParticipant {
     double success = 0;            // how it went so far, 0 to 1
     double noise = 1;              // factor of what is misjudged
     double liking = 0;             // of its interface: added to ratings, as a share of the scale
+    bool changes_one = false;      // it is a motion that the person has come back to
+    Eigen::VectorXd felt;          // 41: how what is rated seems (impressions.h); empty otherwise
   };
   Intention at_page(const Session& session);
   Intention at_trial(const Session& session);
   Intention at_questionnaire(const Session& session);
+  Intention at_rating(const Session& session);
+  bool draws_a_line() const;
+  SetAnswer in_line(const Session& session, SetAnswer answer);
   std::optional<SetAnswer> next_answer(const Session& session);
   SetAnswer answer_to(const Item& item);
+  // A pair of adjectives, by what is seen of the walk that is rated; nothing for other items.
+  std::optional<double> judgement_of(const Item& item);
   double share_of_scale();  // 0 to 1
   void begin_trial(const Session& session);
   void apply_tendencies(int interface);  // to the trial that began; -1: no interface
@@ -89,8 +99,10 @@ class SimulatedParticipant {
   Person person_;
   Tendencies tendencies_;
   std::uint64_t seed_;
-  double awake_s_ = 0;    // since the session began
-  Eigen::MatrixXd gram_;  // N x N: offsets^T offsets
+  double awake_s_ = 0;           // since the session began
+  std::uint64_t chances_ = 0;    // to leave, so far
+  std::set<int> thought_again_;  // rated trials that were left to go back
+  Eigen::MatrixXd gram_;         // N x N: offsets^T offsets
   Trial trial_;
 };
 

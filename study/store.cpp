@@ -413,6 +413,21 @@ void Store::begin_session(const SessionHeader& header, const Plan& plan,
   own.commit_durably();
 }
 
+namespace {
+
+// To leave for another day is no interruption.
+bool was_left(const LoggedSession& session) {
+  bool left = false;
+  for (const LoggedStep& step : session.steps) {
+    if (step.sample) continue;
+    if (step.event.kind == "leave") left = true;
+    if (step.event.kind == "return") left = false;
+  }
+  return left;
+}
+
+}  // namespace
+
 void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   Implementation& own = *implementation_;
   own.commit();
@@ -445,10 +460,10 @@ void Store::resume_session(const LoggedSession& session, const Plan& plan) {
   own.seq = session.last_seq;
   own.durable = !session.simulated;
   Statement update(own.database,
-                   "UPDATE session SET process = ?, process_start = ?, resumed = resumed + 1 "
+                   "UPDATE session SET process = ?, process_start = ?, resumed = resumed + ? "
                    "WHERE uuid = ?");
   update.bind(1, std::int64_t{::getpid()}).bind(2, process_start(::getpid()));
-  update.bind(3, session.uuid).run();
+  update.bind(3, std::int64_t{was_left(session) ? 0 : 1}).bind(4, session.uuid).run();
   transaction.commit();
 }
 
@@ -458,7 +473,9 @@ std::vector<InterruptedSession> Store::interrupted_sessions(bool simulated, bool
                  "process, coalesce(process_start, ''), "
                  "(SELECT position FROM trial WHERE session = session.uuid "
                  "ORDER BY started_us DESC, rowid DESC LIMIT 1), "
-                 "(SELECT t_us FROM event WHERE session = session.uuid ORDER BY seq DESC LIMIT 1) "
+                 "(SELECT t_us FROM event WHERE session = session.uuid ORDER BY seq DESC LIMIT 1), "
+                 "(SELECT kind FROM event WHERE session = session.uuid AND kind IN ('leave', "
+                 "'return') ORDER BY seq DESC LIMIT 1) "
                  "FROM session JOIN study ON study.uuid = session.study "
                  "JOIN participant ON participant.uuid = session.participant "
                  "WHERE session.outcome = 'running' AND simulated = ? AND pilot = ? AND "
@@ -468,7 +485,8 @@ std::vector<InterruptedSession> Store::interrupted_sessions(bool simulated, bool
   while (rows.step()) {
     if (lives(rows.integer(4), rows.text(5))) continue;
     sessions.push_back({rows.text(0), rows.text(1), rows.text(2), rows.text(3),
-                        static_cast<int>(rows.integer(6)), rows.integer(7)});
+                        static_cast<int>(rows.integer(6)), rows.integer(7),
+                        rows.text(8) == "leave"});
   }
   return sessions;
 }

@@ -36,6 +36,7 @@ struct InterruptedSession {
   std::string uuid, participant, station, started_utc;
   int trial = 0;             // position of the trial that began last, from 1; 0: none
   std::int64_t last_us = 0;  // of its last event
+  bool left = false;         // the person left, to go on another day
 };
 
 // Somebody else, most likely another process, has what this session was to get.

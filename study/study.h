@@ -17,6 +17,7 @@
 #include "study/instrument.h"
 #include "study/interface.h"
 #include "study/process_measures.h"
+#include "study/split.h"
 #include "study/texts.h"
 
 namespace promenade::study {
@@ -83,6 +84,10 @@ struct Task {
   Deal deal = Deal::same;
   // With Deal::rotated: for each list the indices of its targets, as many lists as interfaces.
   std::vector<std::vector<int>> lists;
+  // Of a rate task: which of its targets each person rates, and which twice; nothing: all of
+  // them once.
+  std::optional<SplitDesign> split;
+  int repeats = 0;  // of a rate task: so many of a person's motions come a second time
 };
 
 // [[questionnaire]]: an instrument, and where in the session it is asked.
@@ -129,6 +134,7 @@ struct Safety {
   ResumePolicy resume = ResumePolicy::continue_;
   Withdrawal withdrawal = Withdrawal::everything;
   std::string copy_to;  // a folder that gets a verified copy after each session; empty: none
+  bool leave = false;   // people may go on another day
   std::string keep;     // how long data are kept, for the page for an ethics board; empty: not said
 };
 
@@ -199,6 +205,9 @@ struct StudyBundle {
   CoverageMap coverage;
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
+  // 41 x N: how the walks seem on the pairs of adjectives to simulated people
+  // (study/impressions.h); empty where no rate task asks for pairs.
+  Eigen::MatrixXd impressions;
   std::string set_bytes, set_sha256;
   std::vector<StudyPart> parts;  // by path
   StudyTexts texts;              // of its languages; those that were frozen with it, if it was

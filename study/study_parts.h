@@ -100,6 +100,8 @@ void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bu
 // The document that [study] prereg names becomes a part of the study; warns when it was written
 // for another one. `config_text` is the text behind `root`.
 void read_prereg_file(const TomlTable& root, std::string_view config_text, StudyFiles& files);
+// The keys that only a task of kind "rate" has.
+void read_rate(const TomlTable& table, const StudyContext& context, Task& task);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);
 std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
                                  const StudyContext& context, const TargetRules& rules);

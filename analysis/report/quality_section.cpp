@@ -4,6 +4,7 @@
 #include "analysis/format.h"
 #include "analysis/item.h"
 #include "analysis/report/cells.h"
+#include "analysis/report/rating_tables.h"
 #include "analysis/report/report_sections.h"
 
 namespace promenade::analysis {
@@ -103,6 +104,7 @@ Section quality_section(const Results& results) {
                              {"resumed_sessions", results.quality.resumed_sessions},
                              {"resumptions", results.quality.resumptions}};
   section.tables = {counts, trial_table(results)};
+  add_rating_quality(results, section);
   return section;
 }
 

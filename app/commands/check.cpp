@@ -109,6 +109,11 @@ std::string task_line(const study::Study& study, const Task& task) {
   if (task.start_guess >= 0) {
     line += ", from the guess of " + study.tasks[static_cast<std::size_t>(task.start_guess)].name;
   }
+  if (task.split) {
+    line +=
+        fmt::format(", {} of {} motions by each person", task.split->each(), task.split->motions());
+    if (task.repeats > 0) line += fmt::format(", {} of them twice", task.repeats);
+  }
   if (!task.lists.empty()) line += fmt::format(", targets in {} lists", task.lists.size());
   return line + "\n";
 }

@@ -42,7 +42,8 @@ Json trial_json(const StudyBundle& bundle, const PlannedTrial& trial) {
   const Study& study = bundle.study;
   Json json = {{"position", trial.position}, {"block", trial.block},
                {"practice", trial.practice}, {"task", study::task_of(study, trial).name},
-               {"interface", nullptr},       {"target", study::target_of(study, trial).name}};
+               {"interface", nullptr},       {"target", study::target_of(study, trial).name},
+               {"showing", trial.showing}};
   if (trial.interface >= 0) json["interface"] = interface_name(study, trial.interface);
   if (trial.drawn.size() > 0) json["weights"] = weights_json(bundle, trial.drawn);
   return json;
@@ -76,6 +77,20 @@ Json plan_json(const StudyBundle& bundle, const Plan& plan) {
   return json;
 }
 
+// By task and target, where a task is split: how many people rate it.
+Json ratings_json(const Study& study, const study::Balance& balance) {
+  Json json = Json::object();
+  for (std::size_t t = 0; t < study.tasks.size(); ++t) {
+    const Eigen::VectorXi& counts = balance.ratings[t];
+    if (counts.size() == 0) continue;
+    Json& task = json[study.tasks[t].name] = Json::object();
+    for (Eigen::Index i = 0; i < counts.size(); ++i) {
+      task[study.tasks[t].targets[static_cast<std::size_t>(i)].name] = counts(i);
+    }
+  }
+  return json;
+}
+
 Json balance_json(const Study& study, const study::Balance& balance) {
   Json positions = Json::object();
   Json carry_over = Json::object();
@@ -102,6 +117,7 @@ Json balance_json(const Study& study, const study::Balance& balance) {
   return {{"position", positions},
           {"carry_over", carry_over},
           {"lists", lists},
+          {"ratings", ratings_json(study, balance)},
           {"round", study::round_of_design(study)},
           {"even", balance.even}};
 }
@@ -128,7 +144,9 @@ std::string trials_text(const StudyBundle& bundle, const Plan& plan) {
                         interface_name(study, trial.interface), study::task_of(study, trial).name,
                         study::target_of(study, trial).name,
                         trial.drawn.size() > 0 ? ": " + drawn_text(bundle, trial.drawn) : "",
-                        trial.practice ? "  (practice)" : "");
+                        trial.practice      ? "  (practice)"
+                        : trial.showing > 1 ? "  (again)"
+                                            : "");
   }
   return text;
 }
@@ -151,6 +169,15 @@ std::string lists_text(const Study& study, std::size_t index, const Eigen::Matri
       text += " " + task.targets[static_cast<std::size_t>(target)].name;
     }
     text += "\n";
+  }
+  return text;
+}
+
+std::string ratings_text(const study::Task& task, const Eigen::VectorXi& counts) {
+  std::string text = fmt::format("\nratings of {}\n", task.name);
+  for (Eigen::Index i = 0; i < counts.size(); ++i) {
+    text +=
+        fmt::format("  {:<18}{:>10}\n", task.targets[static_cast<std::size_t>(i)].name, counts(i));
   }
   return text;
 }
@@ -180,9 +207,10 @@ void print_plain(const StudyBundle& bundle, const std::vector<Plan>& plans,
   print_text(counts_text(study, balance.carry_over, "came right before", true));
   for (std::size_t t = 0; t < study.tasks.size(); ++t) {
     if (balance.lists[t].size() > 0) print_text(lists_text(study, t, balance.lists[t]));
+    if (balance.ratings[t].size() > 0) print_text(ratings_text(study.tasks[t], balance.ratings[t]));
   }
   if (!balance.even) {
-    print_text("\nThe orders are not balanced for this number of participants.\n");
+    print_text("\nThe design is not balanced for this number of participants.\n");
   }
 }
 

@@ -43,7 +43,12 @@ std::string given_code(const Options& options) {
 }
 
 void print_result(const SessionResult& result, const std::string& database) {
-  print_text(fmt::format("session {}; it is in {}\n", study::to_text(result.outcome), database));
+  if (result.outcome == study::Outcome::running) {
+    print_text(fmt::format("{} goes on another day; the session waits in {}\n", result.participant,
+                           database));
+  } else {
+    print_text(fmt::format("session {}; it is in {}\n", study::to_text(result.outcome), database));
+  }
   print_text(
       fmt::format("frames: every {:.1f} ms in the middle, {:.1f} ms at the 99th percentile; "
                   "drawn in {:.1f} and {:.1f} ms\n",

@@ -20,6 +20,7 @@ struct Options {
   int participants = 0;
   std::uint64_t seed = 0;
   int jobs = 0;
+  double straight_lining = 0, leaving = 0;  // shares of people, of pages
   bool copy = false;
   bool json = false;
 };
@@ -35,6 +36,8 @@ int add_cohort(const Options& options, const study::StudyBundle& bundle) {
   cohort.jobs = options.jobs > 0
                     ? options.jobs
                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  cohort.tendencies.straight_lining = options.straight_lining;
+  cohort.tendencies.leaving = options.leaving;
   cohort.machine = Json{{"program", "promenade " + std::string(study::program_version())}}.dump();
   cohort.progress = [&](int done) {
     show_progress("simulated", done, options.participants);
@@ -95,6 +98,14 @@ void add_simulate_command(CLI::App& program) {
   command->add_option("--db", options->database, "the database to make or to add to")->required();
   command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
       ->check(CLI::Range(1, 256));
+  command
+      ->add_option("--straight-lining", options.straight_lining,
+                   "the share of them who answer alike and fast what they rate (0)")
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      ->add_option("--leaving", options.leaving,
+                   "the share of pages on which they go on another day, where they can (0)")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--copy", options->copy,
                     "make the second copy that the study asks for ([safety] copy_to), too");
   command->add_flag("--json", options->json, "one JSON document on stdout");

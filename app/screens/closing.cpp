@@ -37,6 +37,16 @@ void draw_closing(const Screen& screen) {
   if (pressed) screen.actions.emplace_back(study::Continue{});
 }
 
+// The session waits; the window can be closed.
+void draw_left(const Screen& screen) {
+  bool pressed = false;
+  const std::string text =
+      screen.texts.with("left.text", {{"code", std::string(screen.participant)}});
+  draw_text_page(screen, {screen.texts("left.title"), text, screen.texts("button.close")}, true,
+                 pressed);
+  if (pressed) screen.memory.wants_close = true;
+}
+
 // The reason is for the experimenter: main says it once the window is closed.
 void draw_failure(const Screen& screen) {
   bool pressed = false;

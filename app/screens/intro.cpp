@@ -22,6 +22,11 @@ void draw_intro(const Screen& screen) {
   draw_text_page(screen, {screen.texts("intro.title"), text, screen.texts("button.start")}, true,
                  pressed);
   if (pressed) screen.actions.emplace_back(study::Continue{});
+  if (screen.session.can_go_back() &&
+      button(screen.ui, "back", screen.ui.layout.box(320, 640, 280, 48), screen.texts("intro.back"),
+             ButtonKind::quiet)) {
+    screen.actions.emplace_back(study::Back{});
+  }
 }
 
 }  // namespace promenade::app

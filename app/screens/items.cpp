@@ -119,11 +119,20 @@ float gap_before(const Pen& pen, const Sheet& sheet, std::size_t place) {
   return row && place > 0 ? 0.5f * pen.style.between : pen.style.between;
 }
 
-void mark(const Pen& pen, float top) {
-  fill({pen.x - pen.size(12), top, pen.size(4), pen.y - top}, pen.ui.look.palette.pilot);
+void mark(const Pen& pen, float top, const Rgb& colour) {
+  fill({pen.x - pen.size(12), top, pen.size(4), pen.y - top}, colour);
 }
 
-void put_item(Pen& pen, const Sheet& sheet, std::size_t place) {
+// In the panel of a rate trial the row that comes next is marked, and all that are missing once
+// somebody wanted to go on too early.
+void mark_open(const Pen& pen, const Sheet& sheet, std::size_t place, bool next, float top) {
+  if (!pen.draws || pen.ui.inert || !is_open(sheet, sheet.order[place])) return;
+  const Palette& palette = pen.ui.look.palette;
+  if (pen.screen.memory.too_early) return mark(pen, top, palette.pilot);
+  if (next && pen.screen.session.trial() != nullptr) mark(pen, top, palette.created);
+}
+
+void put_item(Pen& pen, const Sheet& sheet, std::size_t place, bool next) {
   const int index = sheet.order[place];
   const study::Item& item = item_at(sheet, index);
   pen.skip(gap_before(pen, sheet, place));
@@ -131,15 +140,37 @@ void put_item(Pen& pen, const Sheet& sheet, std::size_t place) {
   if (!asked_before(sheet, place)) put_question(pen, item);
   put_answers(pen, item, answer_at(sheet, index));
   if (item.can_decline) put_decline(pen, item, answer_at(sheet, index));
-  if (pen.draws && !pen.ui.inert && pen.screen.memory.too_early && is_open(sheet, index)) {
-    mark(pen, top);
-  }
+  mark_open(pen, sheet, place, next, top);
 }
 
 void bring_into_sight(const Pen& pen, float top) {
   if (ImGui::GetScrollMaxY() <= 0) return;
   ImGui::SetScrollFromPosY(top - ImGui::GetWindowPos().y, 0);
   pen.screen.memory.refused = false;
+}
+
+bool was_answered(const Sheet& sheet, const std::string& item) {
+  for (const int index : sheet.order) {
+    if (item_at(sheet, index).name == item) return !is_open(sheet, index);
+  }
+  return false;
+}
+
+// The row that was next has been answered, and the one that is next now is not all in sight. Who
+// answers in another order is left alone.
+bool leads_on(const Pen& pen, const Sheet& sheet, const study::Item* next) {
+  const std::string& before = pen.screen.memory.next_open;
+  if (!pen.draws || pen.ui.inert || next == nullptr || pen.screen.session.trial() == nullptr) {
+    return false;
+  }
+  return !before.empty() && before != next->name && was_answered(sheet, before);
+}
+
+void follow(const Pen& pen, float top) {
+  const float row = pen.size(pen.style.cell + pen.style.between);
+  const float view = ImGui::GetWindowPos().y;
+  const bool seen = top >= view && top + row <= view + ImGui::GetWindowHeight();
+  if (!seen && ImGui::GetScrollMaxY() > 0) ImGui::SetScrollFromPosY(top - view, 0.25f);
 }
 
 void put_sheet(Pen& pen, const Sheet& sheet) {
@@ -151,9 +182,12 @@ void put_sheet(Pen& pen, const Sheet& sheet) {
   for (std::size_t place = 0; place < sheet.order.size(); ++place) {
     const bool wanted =
         pen.draws && pen.screen.memory.refused && first == &item_at(sheet, sheet.order[place]);
+    const bool next = first == &item_at(sheet, sheet.order[place]);
     if (wanted) bring_into_sight(pen, pen.y);
-    put_item(pen, sheet, place);
+    if (next && leads_on(pen, sheet, first)) follow(pen, pen.y);
+    put_item(pen, sheet, place, next);
   }
+  if (pen.draws && !pen.ui.inert) pen.screen.memory.next_open = first ? first->name : "";
 }
 
 float height_with(const Pen& pen, const Sheet& sheet) {

@@ -76,11 +76,15 @@ void move_by_keys(const Pen& pen, const study::Item& item) {
 int draw_cells(const Pen& pen, const study::Item& item, const study::ItemAnswer& answer,
                const Row& row, bool numbers, int tab) {
   const int chosen = point_of(item, answer);
+  const float share = static_cast<float>(chosen) / static_cast<float>(points_of(item) - 1);
+  const Rgb colour = step_colour(pen.ui.look.palette, share);
+  const Rgb* ground = has_poles(item) ? &colour : nullptr;
   int hovered = -1;
   for (int point = 0; point < points_of(item); ++point) {
     const double value = value_at(item, point);
     if (answer_button(pen.ui, answer_target(item.name, value), row.cell(point),
-                      numbers ? value_text(value) : "", point == chosen, tab < 0 || tab == point)) {
+                      numbers ? value_text(value) : "", point == chosen, tab < 0 || tab == point,
+                      ground)) {
       const bool back = point == chosen && !item.needed;
       pen.answer(back ? study::SetAnswer{item.name} : study::SetAnswer{item.name, value});
     }
@@ -147,11 +151,17 @@ void put_beside(Pen& pen, const study::Item& item, const study::ItemAnswer& answ
   const float x = poles ? box.middle_x() - 0.5f * width : box.x + pen.pole + space;
   const Row row{{std::round(x), box.y, width, side}, side, gap};
   const Words words = words_of(pen, item);
-  ImFont* const font = pen.ui.look.fonts.text;
+  const Fonts& fonts = pen.ui.look.fonts;
   const Rgb& colour = poles ? pen.ui.look.palette.text : pen.ui.look.palette.quiet;
-  draw_text(font, {row.box.x - space - pen.pole, box.y, pen.pole, side}, colour, words.low,
+  // The word that was chosen stands out, for whoever does not see the colours.
+  const int chosen = point_of(item, answer);
+  const bool leans_low = poles && chosen >= 0 && 2 * chosen < points_of(item) - 1;
+  const bool leans_high = poles && 2 * chosen > points_of(item) - 1;
+  draw_text(leans_low ? fonts.bold : fonts.text,
+            {row.box.x - space - pen.pole, box.y, pen.pole, side}, colour, words.low,
             poles ? Align::right : Align::left);
-  draw_text(font, {row.box.right() + space, box.y, pen.pole, side}, colour, words.high);
+  draw_text(leans_high ? fonts.bold : fonts.text, {row.box.right() + space, box.y, pen.pole, side},
+            colour, words.high);
   draw_cells(pen, item, answer, row, !poles, -1);
 }
 

@@ -12,6 +12,14 @@ Box inner(const Screen& screen) {
   return {panel.x + inset, panel.y + above, panel.width - inset - bar, panel.height - above};
 }
 
+void draw_back(const Screen& screen) {
+  if (!screen.session.can_go_back()) return;
+  if (button(screen.ui, "back", screen.ui.layout.box(848, 648, 120, 48), screen.texts("trial.back"),
+             ButtonKind::quiet)) {
+    screen.actions.emplace_back(study::Back{});
+  }
+}
+
 }  // namespace
 
 void draw_rate(const Screen& screen) {
@@ -20,8 +28,7 @@ void draw_rate(const Screen& screen) {
   int open = 0;
   first_open(sheet, open);
   if (task_of(screen).has_done) {
-    const std::string missing =
-        screen.texts.with("items.open", {{"count", std::to_string(open)}});
+    const std::string missing = screen.texts.with("items.open", {{"count", std::to_string(open)}});
     const Layout& layout = screen.ui.layout;
     const PageTexts texts{.title = {},
                           .text = {},
@@ -29,11 +36,12 @@ void draw_rate(const Screen& screen) {
                           .target = "done",
                           .by_enter = false,
                           .missing = missing,
-                          .missing_at = layout.box(864, 648, 224, 48)};
+                          .missing_at = layout.box(976, 648, 120, 48)};
     if (main_button(screen, texts, layout.done(), screen.session.answered())) {
       screen.actions.emplace_back(study::Done{});
     }
   }
+  draw_back(screen);
   draw_sheet(screen, sheet, inner(screen), true);
 }
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "app/screens/screen.h"
 
 namespace promenade::app {
@@ -14,12 +16,16 @@ std::string label_of(const Screen& screen, const study::InterruptedSession& sess
 
 }  // namespace
 
-// Before anything else when the program died in a session: it may go on.
+// Before anything else when the program died in a session, or once somebody who left has typed
+// the code: it may go on.
 void draw_resume(const Screen& screen) {
   const Ui& ui = screen.ui;
   ScreenMemory& memory = screen.memory;
+  const bool left = std::all_of(memory.offered.begin(), memory.offered.end(),
+                                [](const study::InterruptedSession& one) { return one.left; });
   const float below =
-      draw_text_column(screen, screen.texts("resume.title"), screen.texts("resume.text"));
+      draw_text_column(screen, screen.texts(left ? "resume.left_title" : "resume.title"),
+                       screen.texts(left ? "resume.left" : "resume.text"));
   const Box column = ui.layout.column();
   float y = below + ui.layout.size(32);
   for (std::size_t i = 0; i < std::min(most_offers, memory.offered.size()); ++i) {

@@ -35,6 +35,18 @@ void draw_page(const Screen& screen) {
   }
 }
 
+// In the row at the top right; `right`: where it ends, at 1280 x 720. Returns where it begins,
+// pixels.
+float corner_button(const Screen& screen, std::string_view target, const char* key, float right,
+                    bool& pressed) {
+  const std::string& label = screen.texts(key);
+  const float width = text_width(screen.ui.look.fonts.text, label) + screen.ui.layout.size(32);
+  const Box row = screen.ui.layout.box(0, 16, 1280, 40);
+  pressed |= button(screen.ui, target, {right - width, row.y, width, row.height}, label,
+                    ButtonKind::quiet);
+  return right - width;
+}
+
 void offer_pause(const Screen& screen) {
   const PageKind kind = screen.session.page().kind;
   if (!can_pause(kind)) return;
@@ -42,11 +54,11 @@ void offer_pause(const Screen& screen) {
   const bool used = ImGui::GetIO().WantTextInput || screen.ui.focus.escape_used();
   bool wanted = !used && key_pressed(ImGuiKey_Escape, false);
   if (kind != PageKind::trial) {
-    const std::string& label = screen.texts("button.pause");
-    const float width = text_width(screen.ui.look.fonts.text, label) + screen.ui.layout.size(32);
-    const Box corner = screen.ui.layout.box(1264, 16, 0, 40);
-    wanted |= button(screen.ui, "pause", {corner.x - width, corner.y, width, corner.height}, label,
-                     ButtonKind::quiet);
+    const float right = screen.ui.layout.box(1264, 0, 0, 0).x;
+    const float left = corner_button(screen, "pause", "button.pause", right, wanted);
+    bool leaves = false;
+    if (screen.session.can_leave()) corner_button(screen, "leave", "button.leave", left, leaves);
+    if (leaves) screen.actions.emplace_back(study::Leave{});
   }
   if (wanted) screen.actions.emplace_back(study::Pause{});
 }
@@ -54,6 +66,7 @@ void offer_pause(const Screen& screen) {
 void draw_all(const Screen& screen) {
   if (screen.failure != nullptr) return draw_failure(screen);
   if (!screen.memory.offered.empty()) return draw_resume(screen);
+  if (screen.session.left()) return draw_left(screen);
   if (open_experimenter(screen)) return draw_experimenter(screen);
   if (screen.session.paused()) return draw_pause(screen);
   draw_page(screen);
@@ -203,16 +216,21 @@ std::string title_of(const Screen& screen, const study::InterfaceUse& use) {
   return alike > 1 ? title + " (" + use.name + ")" : title;
 }
 
-// The place among the trials of its kind: practice is not numbered.
+Place place_of(const Screen& screen, bool within_task) {
+  const study::PlannedTrial& here = planned_trial(screen);
+  Place place;
+  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
+    if (trial.practice || (within_task && trial.task != here.task)) continue;
+    ++place.count;
+    if (trial.position <= here.position) ++place.number;
+  }
+  return place;
+}
+
+// Practice is not numbered.
 std::string number_of(const Screen& screen) {
   if (planned_trial(screen).practice) return screen.texts("trial.practice");
-  int number = 0;
-  int count = 0;
-  for (const study::PlannedTrial& trial : screen.session.plan().trials) {
-    if (trial.practice) continue;
-    ++count;
-    if (trial.position <= planned_trial(screen).position) ++number;
-  }
+  const auto [number, count] = place_of(screen, false);
   return screen.texts.with("trial.number",
                            {{"number", std::to_string(number)}, {"count", std::to_string(count)}});
 }

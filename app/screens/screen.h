@@ -58,7 +58,9 @@ struct ScreenMemory {
   // so far, by names.
   std::map<std::string, Draft> drafts;
   std::map<std::string, std::vector<std::string>> orders;
-  std::string writes_next;  // the field that the keyboard goes to once it is there
+  std::string next_open;     // the question that was the first one without an answer
+  bool wants_close = false;  // the page that says how to come back was read
+  std::string writes_next;   // the field that the keyboard goes to once it is there
   ExperimenterPanel panel;
 };
 
@@ -111,6 +113,7 @@ void draw_break(const Screen& screen);
 void draw_release(const Screen& screen);
 void draw_pause(const Screen& screen);    // over any page
 void draw_closing(const Screen& screen);  // thanks, and the page after no consent
+void draw_left(const Screen& screen);     // how to come back another day
 void draw_failure(const Screen& screen);
 // The experimenter's panel: is it open, now that its keys may have been pressed?
 bool open_experimenter(const Screen& screen);
@@ -157,6 +160,11 @@ const study::PlannedTrial& planned_trial(const Screen& screen);
 const study::InterfaceUse& use_of(const Screen& screen);
 // What participants call it.
 std::string title_of(const Screen& screen, const study::InterfaceUse& use);
+// The place of this trial among those that count: of the session, or of its task.
+struct Place {
+  int number = 0, count = 0;
+};
+Place place_of(const Screen& screen, bool within_task);
 // "Task 3 of 20"
 std::string number_of(const Screen& screen);
 const study::Task& task_of(const Screen& screen);

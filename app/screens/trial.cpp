@@ -28,10 +28,36 @@ void draw_countdown(const Screen& screen, double left_s, double limit_s) {
   list->PathStroke(packed(left_s <= 10 ? palette.pilot : palette.quiet), 0, thickness);
 }
 
+// How many of the questions about this motion have an answer, 0 to 1.
+float share_answered(const Screen& screen) {
+  const std::vector<study::ItemAnswer>& answers = screen.session.answers();
+  const auto given = std::count_if(answers.begin(), answers.end(),
+                                   [](const study::ItemAnswer& one) { return one.given(); });
+  return answers.empty() ? 0 : static_cast<float>(given) / static_cast<float>(answers.size());
+}
+
+// "Motion 3 of 10", with a thin bar of what is done.
+void draw_progress(const Screen& screen) {
+  const Ui& ui = screen.ui;
+  const auto [number, count] = place_of(screen, true);
+  draw_text(ui.look.fonts.text, ui.layout.box(16, 4, 240, 40), ui.look.palette.quiet,
+            screen.texts.with("trial.motion", {{"number", std::to_string(number)},
+                                               {"count", std::to_string(count)}}));
+  const Box bar = ui.layout.box(16, 44, 184, 4);
+  const float share =
+      (static_cast<float>(number - 1) + share_answered(screen)) / static_cast<float>(count);
+  fill(bar, ui.look.palette.track);
+  fill({bar.x, bar.y, std::round(share * bar.width), bar.height}, ui.look.palette.quiet);
+}
+
 void draw_strip(const Screen& screen, const study::TrialState& trial) {
   const Ui& ui = screen.ui;
-  draw_text(ui.look.fonts.text, ui.layout.box(16, 0, 240, 56), ui.look.palette.quiet,
-            number_of(screen));
+  if (planned_trial(screen).interface < 0 && !planned_trial(screen).practice) {
+    draw_progress(screen);
+  } else {
+    draw_text(ui.look.fonts.text, ui.layout.box(16, 0, 240, 56), ui.look.palette.quiet,
+              number_of(screen));
+  }
   const std::string title = ask(screen, "trial");
   const Box middle = ui.layout.box(200, 0, 880, 56);
   const bool fits = text_width(ui.look.fonts.title, title) <= middle.width;

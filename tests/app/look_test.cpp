@@ -63,6 +63,18 @@ TEST(Look, BothFiguresStandOutFromTheBackground) {
   EXPECT_GE(apart_for_deuteranopes(palette.created, palette.background), 15);
 }
 
+TEST(Look, AnswersStandOutFromWhatHasNoneAndTheEndsFromTheMiddle) {
+  const Palette palette = make_palette(false);
+  for (const Rgb& step : palette.steps) {
+    EXPECT_GE(apart_for_deuteranopes(step, palette.on_colour), 15);
+  }
+  EXPECT_GE(apart_for_deuteranopes(palette.steps[0], palette.steps[1]), 15);
+  EXPECT_GE(apart_for_deuteranopes(palette.steps[4], palette.steps[3]), 15);
+  EXPECT_EQ(step_colour(palette, 0), palette.steps[0]);
+  EXPECT_EQ(step_colour(palette, 0.5f), palette.steps[2]);
+  EXPECT_EQ(step_colour(palette, 1), palette.steps[4]);
+}
+
 TEST(Look, TextCanBeRead) {
   const Palette palette = make_palette(false);
   EXPECT_GE(contrast(palette.text, palette.background), 7);

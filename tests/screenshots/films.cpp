@@ -91,9 +91,11 @@ ViewOptions options_of(const Film& film, const std::string& language) {
   ViewOptions options;
   options.language = film.asks_language ? "" : language;
   options.pilot = film.pilot;
-  if (film.interrupted) {
-    options.interrupted = {{"a", "P07", "", "", 2},
-                           {"b", "P12", "", "", 0}};
+  if (film.left) {
+    options.interrupted = {{"a", "P07", "", "", 2, 0, true}};
+    options.participant = "P07";
+  } else if (film.interrupted) {
+    options.interrupted = {{"a", "P07", "", "", 2}, {"b", "P12", "", "", 0}};
   }
   return options;
 }
@@ -224,6 +226,34 @@ void to_rate(Studio& studio) {
   answer(studio, 0.5);
 }
 
+bool rates_pairs(const Studio& studio) {
+  return studio.session().trial() != nullptr && studio.session().item_order().size() > 40;
+}
+
+// The 41 pairs, at the second motion.
+void to_rate_pairs(Studio& studio) {
+  while (!rates_pairs(studio)) leave_page(studio);
+  leave_page(studio);
+  while (!rates_pairs(studio)) leave_page(studio);
+}
+
+void to_rate_pairs_half(Studio& studio) {
+  to_rate_pairs(studio);
+  answer(studio, 0.5);
+  studio.pass(0.5);
+}
+
+void to_left(Studio& studio) {
+  to_page(studio, PageKind::instructions);
+  studio.take(study::Leave{});
+  studio.pass(0.2);
+}
+
+void to_intro_of_rate(Studio& studio) {
+  to_rate_pairs(studio);
+  leave_page(studio);
+}
+
 void to_missing(Studio& studio) {
   to_instrument(studio, "nasa-tlx");
   answer(studio, 0.4);
@@ -246,6 +276,12 @@ void add_questions(std::vector<Film>& films) {
   }
   films.push_back(of_pages("items-missing", to_missing));
   films.push_back(of_pages("rate", to_rate));
+  films.push_back(of_pages("rate-pairs-begin", to_rate_pairs));
+  films.push_back(of_pages("rate-pairs", to_rate_pairs_half));
+  films.push_back(of_pages("intro-rate-back", to_intro_of_rate));
+  films.push_back(of_pages("left", to_left));
+  films.push_back(of_pages("resume-left", [](Studio&) {}));
+  films.back().interrupted = films.back().left = true;
   films.push_back(of_pages("instructions-rate",
                            [](Studio& studio) { to_page(studio, PageKind::instructions); }));
   films.push_back(of_pages("guess", to_trial_of_guess));

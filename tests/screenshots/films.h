@@ -30,6 +30,7 @@ struct Film {
   bool asks_language = false;
   bool simulated = true;         // else its code can be refused
   bool interrupted = false;      // sessions were, and may go on
+  bool left = false;             // somebody left, to go on another day
   bool interfaces_only = false;  // not the pages that are the same with any set
 
   int styles() const { return bundle.space.set.size(); }

@@ -63,6 +63,7 @@ until = "released"
 
 [safety]
 withdraw = "link"
+leave = true
 
 [[interface]]
 name = "labels"
@@ -76,6 +77,13 @@ kind = "rate"
 instrument = "impression"
 reference = "normal"
 targets = [{ example = "sad" }]
+
+[[task]]
+name = "words"
+kind = "rate"
+instrument = "adjectives"
+reference = "normal"
+targets = [{ example = "happy" }, { example = "old" }, { example = "proud" }, { example = "sad" }]
 
 [[task]]
 name = "guess"

@@ -46,6 +46,14 @@ kind = 'rate'
 instrument = 'impression'
 limit_s = 9
 targets = [{example = 'far'}, {example = 'near'}]
+[[task]]
+name = 'again'
+kind = 'rate'
+instrument = 'impression'
+targets = [{example = 'far'}, {example = 'near'}, {example = 'side'}]
+practice = [{example = 'far'}, {example = 'near'}]
+each = 2
+repeats = 1
 [[rating]]
 item = 'liked'
 question = 'Well?'
@@ -66,6 +74,7 @@ after = 'block'
 every = 2
 least_s = 3
 [safety]
+leave = true
 resume = ')" +
          resume + "'\n";
 }
@@ -98,8 +107,9 @@ Action any_control(Rng& rng) {
 }
 
 Action anything(const Session& session, Rng& rng) {
+  if (session.left() && rng.below(3) > 0) return Return{86'400'000'000};
   if (session.paused() && rng.below(3) > 0) return Resume{};
-  switch (rng.below(30)) {
+  switch (rng.below(34)) {
     case 0:
       return Pause{};
     case 1:
@@ -123,6 +133,11 @@ Action anything(const Session& session, Rng& rng) {
     case 10:
     case 11:
       return Done{};
+    case 12:
+    case 13:
+      return Back{};
+    case 14:
+      return Leave{};
     default:
       break;
   }
@@ -145,8 +160,9 @@ class RandomSession : public testing::TestWithParam<int> {
         std::holds_alternative<Note>(action)) {
       return Actor::experimenter;
     }
-    const bool system =
-        std::holds_alternative<Tick>(action) || std::holds_alternative<LateFrame>(action);
+    const bool system = std::holds_alternative<Tick>(action) ||
+                        std::holds_alternative<LateFrame>(action) ||
+                        std::holds_alternative<Return>(action);
     return system ? Actor::system : Actor::participant;
   }
 
@@ -215,6 +231,7 @@ TEST_P(RandomSession, DiesAnywhereGoesOnAndPassesTheAudit) {
     input.t_us = log.last_us;
     input.actor = Actor::system;
     input.action = Interrupted{1'000'000, bundle.study.safety.resume};
+    if (session.left()) input.action = Return{1'000'000};
     store->write(session.step(input));
     live(*store, session, log.last_us, rng);
     die(std::move(store));

@@ -86,6 +86,28 @@ TEST_F(Rated, CountTheLastAnswerToAnItem) {
   EXPECT_EQ(table().ratings[0].value, -1);
 }
 
+// A motion that came twice in a session has two ratings, which a model averages.
+TEST_F(Rated, CountBothRatingsOfAMotionThatCameTwice) {
+  answer("p1", "happy", "slow-fast", 2);
+  database_->exec(
+      "INSERT INTO trial(uuid, session, position, block, practice, task, interface, target, "
+      "started_us) VALUES ('p1again', 'p1', 2, 1, 0, 'rate', '', 'happy', 0)");
+  answer("p1", "again", "slow-fast", -1, 9000);
+  const RatingsTable found = table();
+  ASSERT_EQ(found.ratings.size(), 2u);
+  EXPECT_EQ(found.ratings[0].value + found.ratings[1].value, 1);
+  const motion::Quantification model = motion::quantify(found.ratings, 1, 2);
+  EXPECT_EQ(model.mean(0, 0), 0.5);
+}
+
+TEST_F(Rated, LeaveOutWhatWasTakenBack) {
+  answer("p1", "happy", "slow-fast", 2);
+  answer("p1", "sad", "slow-fast", -2);
+  database_->exec("UPDATE trial SET superseded = 1 WHERE uuid = 'p1happy'");
+  ASSERT_EQ(table().ratings.size(), 1u);
+  EXPECT_EQ(table().ratings[0].value, -2);
+}
+
 TEST_F(Rated, LeaveSimulatedPeopleOutUnlessTheyAreAskedFor) {
   add_person("s1", true);
   answer("s1", "happy", "slow-fast", 2);
