@@ -8,6 +8,7 @@
 
 #include "motion/builtin.h"
 #include "motion/models/adjective_pairs.h"
+#include "study/ratings_csv.h"
 #include "study/rng.h"
 
 namespace promenade::study {
@@ -109,7 +110,10 @@ std::optional<RatingsTable> simulated_ratings(const std::string& set, const Rate
   for (const Reading& reading : readings) table.pairs.emplace_back(reading.pair);
   table.raters = options.raters;
   table.simulated = true;
-  for (int rater = 0; rater < options.raters; ++rater) rate(walks, options, rater, table.ratings);
+  for (int rater = 0; rater < options.raters; ++rater) {
+    table.rater_names.push_back(rater_name(rater, true));
+    rate(walks, options, rater, table.ratings);
+  }
   return table;
 }
 
