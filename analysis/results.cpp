@@ -2,6 +2,7 @@
 
 #include "analysis/format.h"
 #include "motion/problem.h"
+#include "study/adjective_model.h"
 #include "study/migrate.h"
 #include "study/outline.h"
 #include "study/sqlite.h"
@@ -34,6 +35,12 @@ std::string all_names(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
+}
+
+std::optional<AdjectiveSource> adjectives_of(const study::StudyBundle* bundle) {
+  if (bundle == nullptr || !bundle->adjectives) return std::nullopt;
+  const study::AdjectiveModel& model = *bundle->adjectives;
+  return AdjectiveSource{model.source, model.table.raters, model.simulated()};
 }
 
 }  // namespace
@@ -71,6 +78,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     const study::StudyBundle* bundle = stored ? &*stored : nullptr;
     results.reachability = find_reachable(bundle, *registry);
     add_regret(results.reachability, results.data);
+    results.adjectives = adjectives_of(bundle);
     results.map_times = map_times(results.log, results.data, bundle);
   }
   results.comparisons = compare_all(results.data, progress);
