@@ -16,7 +16,7 @@ constexpr int most_clusters = 100;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 std::string fate_text(motion::PairFate fate) {
-  static constexpr const char* texts[] = {"kept", "mu* too low", "sigma too high", "not rated"};
+  static constexpr const char* texts[] = {"kept", "mu* low", "sigma high", "not rated"};
   return texts[static_cast<int>(fate)];
 }
 

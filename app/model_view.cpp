@@ -104,6 +104,7 @@ void ModelView::draw_thresholds(const Ui& ui, const Box& box) {
   const auto deviation =
       row(1, "sigma", "Raters alike: sigma at most", options.most_deviation, 0.85);
   if (!extreme && !deviation) return;
+  said_.clear();
   // To two digits, as is shown.
   const auto rounded = [](double value) { return std::round(100 * most * value) / 100; };
   editor_.set_thresholds(extreme ? rounded(*extreme) : options.least_extreme,

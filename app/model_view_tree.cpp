@@ -36,7 +36,9 @@ void ModelView::draw_tree(const Ui& ui) {
   const ImVec2 from = ImGui::GetCursorScreenPos();
   const bool scrolls = row_ * leaves > inner.height;
   const float width = inner.width - (scrolls ? ImGui::GetStyle().ScrollbarSize : 0);
-  const float names = ui.layout.size(names_width);
+  const float bars = ui.layout.size(26);
+  const float names = std::max(ui.layout.size(names_width),
+                               bars + widest(ui.look.fonts.bold, editor_.names(), 0.34f * width));
   const float left = widest(ui.look.fonts.text, editor_.leaves(), 0.45f * width) + inset;
   const Box tree{from.x + left, from.y, width - left - names, row_ * leaves};
   draw_cut(ui, tree);
@@ -60,28 +62,36 @@ void ModelView::draw_leaves(const Ui& ui, const Box& box) {
 void ModelView::draw_merges(const Ui& ui, const Box& box) {
   const motion::Dendrogram& tree = editor_.tree();
   const std::vector<int> nodes = motion::clusters_of_nodes(tree, editor_.cluster());
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const auto at = [&](int node, double height) {
-    const double row = editor_.layout().rows[static_cast<std::size_t>(node)];
-    return ImVec2(box.x + box.width * static_cast<float>(height / editor_.top()),
-                  row_box(box, row).middle_y());
+  const float thick = ui.layout.size(2);
+  const auto x_of = [&](double height) {
+    return std::round(box.x + box.width * static_cast<float>(height / editor_.top()));
+  };
+  const auto y_of = [&](int node) {
+    return std::round(
+        row_box(box, editor_.layout().rows[static_cast<std::size_t>(node)]).middle_y());
   };
   for (std::size_t t = 0; t < tree.merges.size(); ++t) {
     const motion::Merge& merge = tree.merges[t];
     const int node = tree.leaves + static_cast<int>(t);
     const int cluster = nodes[static_cast<std::size_t>(node)];
-    const ImU32 colour = packed(cluster < 0 ? ui.look.palette.quiet : cluster_colour(cluster));
-    const ImVec2 points[] = {at(merge.a, motion::height_of(tree, merge.a)),
-                             at(merge.a, merge.height), at(merge.b, merge.height),
-                             at(merge.b, motion::height_of(tree, merge.b))};
-    list->AddPolyline(points, 4, colour, 0, ui.layout.size(2));
+    const Rgb colour = cluster < 0 ? ui.look.palette.quiet : cluster_colour(cluster);
+    for (const int part : {merge.a, merge.b}) {
+      const float from = x_of(motion::height_of(tree, part));
+      fill({from, y_of(part), x_of(merge.height) + thick - from, thick}, colour);
+    }
+    const float one = y_of(merge.a);
+    const float other = y_of(merge.b);
+    fill({x_of(merge.height), std::min(one, other), thick, std::abs(one - other)}, colour);
   }
 }
 
 void ModelView::draw_cut(const Ui& ui, const Box& box) {
   if (editor_.tree().merges.empty()) return;
   const auto moved = drag_bar(ui, "slide", "cut", box, editor_.cut() / editor_.top());
-  if (moved) editor_.cut_at(*moved * editor_.top());
+  if (moved) {
+    editor_.cut_at(*moved * editor_.top());
+    said_.clear();
+  }
   const float x = std::round(box.x + box.width * static_cast<float>(editor_.cut() / editor_.top()));
   const float dash = ui.layout.size(7);
   for (float y = box.y; y < box.bottom(); y += 2 * dash) {
@@ -141,6 +151,7 @@ void ModelView::draw_field(const Ui& ui, const Box& box) {
     renamed_ = -1;
   } else if (entered || left) {
     if (!text_.empty()) editor_.rename(renamed_, text_);
+    said_.clear();
     renamed_ = -1;
     if (entered) focus_.leave();
   }

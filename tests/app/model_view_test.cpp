@@ -139,6 +139,8 @@ TEST_F(ModelWindow, SavesWhatItShows) {
   EXPECT_EQ(model.names.size(), 3U);
   EXPECT_EQ(model.options.clusters, 3);
   EXPECT_TRUE(model.simulated());
+  drag("sigma", 0.4);
+  EXPECT_EQ(view_.said(), "") << "it is not what was saved any more";
 }
 
 TEST_F(ModelWindow, SavesNothingOfRatingsThatDoNotAgree) {
