@@ -105,6 +105,7 @@ TEST(RaterAgreement, NeedsAPairForEachSliderUnlessFewerWereAsked) {
   }
   const RaterAgreement found = make_adjective_model(make_ratings_table(half, {}), "r").agreement;
   EXPECT_EQ(found.kept, 1);
+  EXPECT_DOUBLE_EQ(found.explained, 1) << "of the pair that is left";
   EXPECT_FALSE(found.agrees());
   EXPECT_NE(describe(found).find("1 of 5 pairs is left (4 never far"), std::string::npos);
 }
