@@ -4,6 +4,7 @@
 #include "analysis/made.h"
 #include "analysis/outcomes.h"
 #include "motion/problem.h"
+#include "study/adjective_model.h"
 #include "study/migrate.h"
 #include "study/outline.h"
 #include "study/sqlite.h"
@@ -30,6 +31,12 @@ std::string nothing_to_report(const Selection& selection) {
   const int excluded = selection.count(Disposition::excluded);
   if (excluded > 0) sentence += "; " + count_of(excluded, "person is", "people are") + " excluded";
   return sentence;
+}
+
+std::optional<AdjectiveSource> adjectives_of(const study::StudyBundle* bundle) {
+  if (bundle == nullptr || !bundle->adjectives) return std::nullopt;
+  const study::AdjectiveModel& model = *bundle->adjectives;
+  return AdjectiveSource{model.source, model.table.raters, model.simulated()};
 }
 
 }  // namespace
@@ -69,6 +76,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
     add_regret(results.reachability, results.data);
     add_measures_of_made(results.log, bundle, results.data);
     add_rated_quality(options, results.log, bundle, results.data);
+    results.adjectives = adjectives_of(bundle);
     results.map_times = map_times(results.log, results.data, bundle);
   }
   results.comparisons = compare_all(results.data, progress);

@@ -25,6 +25,13 @@
 
 namespace promenade::analysis {
 
+// What the sliders of adjectives were made of, in the newest version of the study.
+struct AdjectiveSource {
+  std::string source;  // "ratings.csv", "14 simulated raters, seed 1"
+  int raters = 0;
+  bool simulated = false;  // no person judged the motions
+};
+
 struct Results {
   Log log;
   SelectionOptions options;
@@ -48,6 +55,7 @@ struct Results {
   FailureTests failure_tests;
   std::vector<TaskTimes> times;
   Preference preference;
+  std::optional<AdjectiveSource> adjectives;  // where an interface or targets used them
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;

@@ -34,14 +34,16 @@ std::vector<std::string> cycle_names(const motion::MotionSet& set, const study::
 }  // namespace
 
 Captions captions_of(study::Texts texts, const motion::MotionSet& set) {
-  Captions captions{std::move(texts), {}, {}};
+  Captions captions{std::move(texts), {}, {}, "en"};
   captions.names = cycle_names(set, captions.texts);
   captions.by_name = order_by_name(captions.names);
   return captions;
 }
 
 Captions captions_in(const std::string& language, const study::StudyBundle& bundle) {
-  return captions_of(study::texts_of(bundle, language), bundle.space.set);
+  Captions captions = captions_of(study::texts_of(bundle, language), bundle.space.set);
+  captions.language = language;
+  return captions;
 }
 
 std::vector<std::string> words_of(const Captions& captions) {

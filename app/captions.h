@@ -12,6 +12,7 @@ struct Captions {
   study::Texts texts;
   std::vector<std::string> names;  // N, of the cycles: "happy 2" for "happy_2"
   std::vector<int> by_name;        // the cycles in the order of their names
+  std::string language = "en";     // of `texts`
 };
 
 Captions captions_of(study::Texts texts, const motion::MotionSet& set);

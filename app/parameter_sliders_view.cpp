@@ -188,7 +188,10 @@ ValueText value_text(const SliderParameter& parameter, double value) {
 }
 
 std::string_view words_of(const InterfacePanel& panel, const Words& words) {
-  const std::string* text = panel.content().captions.texts.find(words.key);
+  const Captions& captions = panel.content().captions;
+  const auto own = words.own.find(captions.language);
+  if (own != words.own.end()) return own->second;
+  const std::string* text = captions.texts.find(words.key);
   return text != nullptr ? *text : words.fallback;
 }
 

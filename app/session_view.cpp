@@ -46,6 +46,9 @@ std::vector<std::string> shown_words(const study::StudyBundle& bundle) {
   if (bundle.adjectives) {
     const std::vector<std::string>& pairs = bundle.adjectives->table.pairs;
     words.insert(words.end(), pairs.begin(), pairs.end());
+    for (const study::PrimaryWords& one : bundle.adjectives->words) {
+      for (const study::LocalText* text : {&one.name, &one.low, &one.high}) add_local(*text, words);
+    }
   }
   const study::Study& study = bundle.study;
   for (const std::string& language : study.languages) {

@@ -8,12 +8,14 @@
 #include "app/pictogram.h"
 #include "motion/models/radial_basis.h"
 #include "study/interface.h"
+#include "study/texts.h"
 
 namespace promenade::app {
 
 // A text by its key in configs/languages, or what is shown where a language lacks it.
 struct Words {
   std::string key, fallback;
+  study::LocalText own = {};  // comes before the program's
 };
 
 struct SliderParameter {

@@ -1,5 +1,7 @@
 #include "study/adjective_model.h"
 
+#include <cassert>
+
 #include "motion/models/cluster_names.h"
 #include "motion/models/features.h"
 #include "motion/models/ridge.h"
@@ -43,8 +45,35 @@ AdjectiveModel make_adjective_model(RatingsTable table, const std::string& sourc
     model.names.push_back(name.name);
     model.name_agreement.push_back(name.agreement);
   }
+  model.agreement = rater_agreement(table, model.quantification, options);
   model.table = std::move(table);
   return model;
+}
+
+AdjectiveModel named(AdjectiveModel model, std::vector<PrimaryWords> words) {
+  assert(words.size() == model.names.size() && "a name for each cluster");
+  for (std::size_t c = 0; c < words.size(); ++c) model.names[c] = text_in(words[c].name, "en");
+  model.words = std::move(words);
+  return model;
+}
+
+std::vector<PrimaryWords> words_of(const AdjectiveModel& model) {
+  if (!model.words.empty()) return model.words;
+  std::vector<PrimaryWords> words;
+  for (std::string name : model.names) {
+    // A single pair has a slider of its own, under its own name.
+    if (const auto dash = name.find('-'); dash != std::string::npos) name.replace(dash, 1, "–");
+    words.push_back({{{"en", name}}, {}, {}});
+  }
+  return words;
+}
+
+std::vector<std::string> pairs_of(const AdjectiveModel& model, int cluster) {
+  std::vector<std::string> pairs;
+  for (std::size_t i = 0; i < model.kept_pairs.size(); ++i) {
+    if (model.quantification.cluster[i] == cluster) pairs.push_back(model.kept_pairs[i]);
+  }
+  return pairs;
 }
 
 std::optional<AdjectiveModel> builtin_adjective_model(

@@ -7,9 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "study/ratings.h"
+#include "study/rater_agreement.h"
+#include "study/texts.h"
 
 namespace promenade::study {
+
+// What a slider is called, in the words of whoever made the model.
+struct PrimaryWords {
+  LocalText name;       // "en" names it in logs, too
+  LocalText low, high;  // at its ends; empty: the words of its most typical pair
+};
 
 struct AdjectiveModel {
   RatingsTable table;
@@ -18,13 +25,25 @@ struct AdjectiveModel {
   std::vector<std::string> kept_pairs;  // Q: names of the pairs that are left
   std::vector<std::string> names;       // C: "quickness" and so on
   std::vector<double> name_agreement;   // C: how much each cluster is the printed one, 0 to 1
+  std::vector<PrimaryWords> words;      // C; empty: nobody gave names
   std::string source;                   // "ratings.csv", "14 simulated raters, seed 1"
+
+  RaterAgreement agreement;  // without it no sliders are made
 
   bool simulated() const { return table.simulated; }
 };
 
 AdjectiveModel make_adjective_model(RatingsTable table, const std::string& source,
                                     const motion::QuantificationOptions& = {});
+
+// The model with these names; as many as it has clusters. The English ones are its `names`.
+AdjectiveModel named(AdjectiveModel model, std::vector<PrimaryWords> words);
+
+// The names that it has now, in English: to begin with.
+std::vector<PrimaryWords> words_of(const AdjectiveModel& model);
+
+// Names of the pairs of a cluster.
+std::vector<std::string> pairs_of(const AdjectiveModel& model, int cluster);
 
 // The default model of a built-in set ("A"), from simulated raters; nothing for a set
 // whose making nobody knows.

@@ -191,7 +191,7 @@ std::string load_file(const std::string& name, const std::string& folder) {
 }
 
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set, const FileLoader& read) {
+                       const SetLoader& load_set, const FileLoader& read, bool frozen) {
   TomlReader reader(file, text);
   if (!reader.parsed()) reader.finish();
   const TomlTable root = reader.root();
@@ -202,7 +202,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   read_breaks(root, study);
   read_practice(root, study);
   read_safety(root, study);
-  StudyFiles files(std::filesystem::path(file).parent_path().string(), read);
+  StudyFiles files(std::filesystem::path(file).parent_path().string(), read, frozen);
   read_prereg_file(root, text, files);
   bundle.texts = texts_of_languages(files, study.languages);
   std::optional<motion::MotionSet> set;
@@ -251,7 +251,7 @@ StudyBundle read_frozen_study(const std::string& file, const FrozenStudy& frozen
   const auto set = [&](const std::string&, const std::string&) {
     return motion::from_bytes(frozen.set_bytes, file);
   };
-  StudyBundle bundle = read_study(file, frozen.config_text, registry, set, part);
+  StudyBundle bundle = read_study(file, frozen.config_text, registry, set, part, true);
   // As they were frozen, whatever else this program would take or write.
   bundle.parts = frozen.parts;
   bundle.set_bytes = frozen.set_bytes;

@@ -24,9 +24,11 @@ std::string builtin_path(std::string_view path);
 std::string simulated_ratings_path(std::string_view builtin_set);
 
 // `file` names the study in problems, and its folder is where paths begin. Throws
-// InputError with all problems at once.
+// InputError with all problems at once. What only makes a new study wrong (ratings that do not
+// agree) is a warning in one that was `frozen`: people have taken part in it.
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,
-                       const SetLoader& load_set, const FileLoader& read = load_file);
+                       const SetLoader& load_set, const FileLoader& read = load_file,
+                       bool frozen = false);
 
 // A study as it was frozen, in a packed file or a database.
 struct FrozenStudy {

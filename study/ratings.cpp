@@ -52,6 +52,9 @@ RatingsTable make_ratings_table(const std::vector<NamedRating>& ratings,
                              motion_numbers.at(rating.motion), rating.value});
   }
   table.raters = static_cast<int>(raters.size());
+  table.rater_names.resize(raters.size());
+  for (const auto& [name, number] : raters)
+    table.rater_names[static_cast<std::size_t>(number)] = name;
   return table;
 }
 

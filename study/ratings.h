@@ -20,6 +20,7 @@ struct RatingsTable {
   std::vector<std::string> motions;  // by name, unless an order was given
   std::vector<std::string> pairs;    // the 41 of the source first, in their order
   int raters = 0;
+  std::vector<std::string> rater_names;  // as they came; a file that is made has numbers
   std::vector<motion::Rating> ratings;
   bool simulated = false;  // some rater was not a person: this is said wherever it shows
 };

@@ -94,15 +94,15 @@ class Reader {
   std::vector<Problem> problems_;
 };
 
-std::string rater_name(int rater, bool simulated) {
-  return simulated ? fmt::format("simulated-{:02}", rater + 1) : std::to_string(rater + 1);
-}
-
 }  // namespace
 
 RatingsTable read_ratings_csv(const std::string& file, std::string_view text,
                               const std::vector<std::string>& motions) {
   return Reader(file, motions).read(text);
+}
+
+std::string rater_name(int rater, bool simulated) {
+  return simulated ? fmt::format("simulated-{:02}", rater + 1) : std::to_string(rater + 1);
 }
 
 std::string ratings_csv(const RatingsTable& table) {

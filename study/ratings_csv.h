@@ -16,6 +16,9 @@ namespace promenade::study {
 RatingsTable read_ratings_csv(const std::string& file, std::string_view text,
                               const std::vector<std::string>& motions);
 
+// "1", or "simulated-01" of a table by simulated raters: the first rater is number 0.
+std::string rater_name(int rater, bool simulated);
+
 // The same table: raters by their numbers, "simulated-01" where they are.
 std::string ratings_csv(const RatingsTable& table);
 

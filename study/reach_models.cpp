@@ -61,7 +61,7 @@ ControlMapOrReason adjective_controls(const AdjectiveModel* model, const motion:
   if (!model) return {{}, "nobody has rated the motions of this set"};
   if (model->table.motions != names_of(set)) return {{}, "the ratings are of other motions"};
   const Eigen::MatrixXd& primary = model->quantification.primary;
-  if (primary.rows() == 0) return {{}, "the raters agree on no pair of adjectives"};
+  if (primary.rows() == 0) return {{}, describe(model->agreement)};
   return {motion::slider_controls("adjectives", model->names, primary), ""};
 }
 

@@ -8,6 +8,7 @@
 #include "motion/builtin.h"
 #include "motion/models/adjective_pairs.h"
 #include "study/impressions.h"
+#include "study/ratings_csv.h"
 #include "study/rng.h"
 
 namespace promenade::study {
@@ -43,7 +44,10 @@ std::optional<RatingsTable> simulated_ratings(const std::string& set, const Rate
   for (int pair = 0; pair < pairs; ++pair) table.pairs.emplace_back(pair_name(pair));
   table.raters = options.raters;
   table.simulated = true;
-  for (int rater = 0; rater < options.raters; ++rater) rate(walks, options, rater, table.ratings);
+  for (int rater = 0; rater < options.raters; ++rater) {
+    table.rater_names.push_back(rater_name(rater, true));
+    rate(walks, options, rater, table.ratings);
+  }
   return table;
 }
 

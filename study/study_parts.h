@@ -10,8 +10,8 @@ namespace promenade::study {
 // The files that a study names, each read once and kept, since they are part of the study.
 class StudyFiles {
  public:
-  StudyFiles(std::string folder, FileLoader load)
-      : folder_(std::move(folder)), load_(std::move(load)) {}
+  StudyFiles(std::string folder, FileLoader load, bool frozen = false)
+      : folder_(std::move(folder)), load_(std::move(load)), frozen_(frozen) {}
   // `path` as the study says it, from its folder. Throws InputError or OutsideError.
   const std::string& read(const std::string& path);
   // One that comes with the program, "instruments/sus.toml": it is part of the study, too,
@@ -19,10 +19,12 @@ class StudyFiles {
   const std::string& read_builtin(const std::string& path) { return read(builtin_path(path)); }
   std::string full_path(const std::string& path) const;  // for messages
   std::vector<StudyPart> parts() const;                  // by path
+  bool frozen() const { return frozen_; }                // as they were when people took part
 
  private:
   std::string folder_;
   FileLoader load_;
+  bool frozen_ = false;
   std::map<std::string, std::string> contents_;
 };
 

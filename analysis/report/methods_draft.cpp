@@ -92,6 +92,18 @@ std::string design(const Results& results) {
                     data.left_out_trials == 1 ? "counts" : "count");
 }
 
+// Nobody may take simulated raters for people's opinion.
+std::string adjectives(const Results& results) {
+  if (!results.adjectives) return "";
+  const AdjectiveSource& from = *results.adjectives;
+  if (from.simulated) {
+    return " Sliders between adjectives were made of ratings by simulated raters (" + from.source +
+           "): no person judged the motions.";
+  }
+  return fmt::format(" Sliders between adjectives were made of ratings by {} ({}).",
+                     count_of(from.raters, "person", "people"), from.source);
+}
+
 std::string measures(const Results& results) {
   std::string text =
       "D is the mean distance between the joints of the target and of the created walk over one "
@@ -177,8 +189,8 @@ std::string program(const Results& results) {
 }  // namespace
 
 std::vector<std::string> methods_draft(const Results& results) {
-  return {participants(results), design(results), measures(results), tests(results),
-          program(results)};
+  return {participants(results), design(results) + adjectives(results), measures(results),
+          tests(results), program(results)};
 }
 
 }  // namespace promenade::analysis

@@ -56,6 +56,11 @@ Section methods_section(const Results& results) {
   for (const char* paragraph : conventions) section.html += element("p", paragraph);
   section.html += heading("Works to cite") + reference_list(references);
   section.json["methods"] = draft;
+  if (const auto& adjectives = results.adjectives) {
+    section.json["adjectives"] = {{"source", adjectives->source},
+                                  {"raters", adjectives->raters},
+                                  {"simulated", adjectives->simulated}};
+  }
   section.json["references"] = nlohmann::json::array();
   for (const Reference& one : references) section.json["references"].push_back(one.text);
   return section;

@@ -8,21 +8,12 @@
 #include "app/commands/numbers.h"
 #include "app/print.h"
 #include "motion/cycle_clip.h"
-#include "motion/models/control_maps.h"
-#include "motion/models/features.h"
 #include "study/study.h"
 
 namespace promenade::app {
 namespace {
 
 using Eigen::VectorXd;
-
-// "1.5,2,-3\n" behind a name.
-std::string csv_row(const std::string& name, const Eigen::Ref<const VectorXd>& values) {
-  std::string row = csv_cell(name);
-  for (const double value : values) row += fmt::format(",{}", value);
-  return row + "\n";
-}
 
 VectorXd blend_weights(const motion::MotionSet& set, const std::string& text) {
   VectorXd weights = parse_numbers("--weights", text);
@@ -103,43 +94,6 @@ void show_blend(const std::string& name, const std::string& weights_text, bool c
               {"positions", positions}});
 }
 
-void show_features(const std::string& name, bool csv) {
-  const motion::MotionSet set = study::load_motion_set(name, "");
-  const Eigen::MatrixXd values = motion::motion_features(set);
-  const auto names = motion::feature_names();
-  if (csv) {
-    std::string text = "name";
-    for (const std::string_view feature : names) text += fmt::format(",{}", feature);
-    text += "\n";
-    for (int i = 0; i < set.size(); ++i) {
-      text += csv_row(set.cycles[static_cast<std::size_t>(i)].name, values.col(i));
-    }
-    return print_text(text);
-  }
-  Json document = {{"features", Json::array()}, {"units", Json::array()}, {"rows", Json::array()}};
-  for (int k = 0; k < motion::feature_count; ++k) {
-    document["features"].push_back(names[static_cast<std::size_t>(k)]);
-    document["units"].push_back(motion::feature_unit(k));
-  }
-  for (int i = 0; i < set.size(); ++i) {
-    const motion::Cycle& cycle = set.cycles[static_cast<std::size_t>(i)];
-    document["rows"].push_back(
-        {{"name", cycle.name}, {"style", cycle.style}, {"values", to_list(values.col(i))}});
-  }
-  if (set.size() > 1) {
-    const motion::FeatureSliders sliders = motion::feature_sliders(set);
-    document["clusters"] = sliders.cluster;  // of each feature
-    document["sliders"] = Json::array();
-    for (std::size_t c = 0; c < sliders.names.size(); ++c) {
-      document["sliders"].push_back(
-          {{"name", sliders.names[c]},
-           {"agreement", sliders.agreement[c]},
-           {"values", to_list(sliders.parameters.row(static_cast<Eigen::Index>(c)).transpose())}});
-    }
-  }
-  print_json(document);
-}
-
 void add_blend(CLI::App& model) {
   struct Arguments {
     std::string set, weights;
@@ -155,19 +109,6 @@ void add_blend(CLI::App& model) {
   command->callback([given] { show_blend(given->set, given->weights, given->csv); });
 }
 
-void add_features(CLI::App& model) {
-  struct Arguments {
-    std::string set;
-    bool json = false, csv = false;
-  };
-  auto* command = model.add_subcommand("features", "The 51 motion features of every cycle");
-  const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_flag("--csv", given->csv, "A row for each cycle");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show_features(given->set, given->csv); });
-}
-
 }  // namespace
 
 void add_model_command(CLI::App& program) {
@@ -175,7 +116,7 @@ void add_model_command(CLI::App& program) {
   command->require_subcommand(1);
   add_blend(*command);
   add_model_map(*command);
-  add_features(*command);
+  add_model_features(*command);
   add_model_adjectives(*command);
   add_model_raters(*command);
   add_model_targets(*command);

@@ -6,6 +6,7 @@
 namespace promenade::app {
 
 void add_model_map(CLI::App& model);
+void add_model_features(CLI::App& model);
 void add_model_adjectives(CLI::App& model);
 void add_model_raters(CLI::App& model);
 void add_model_targets(CLI::App& model);

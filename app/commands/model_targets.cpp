@@ -168,14 +168,16 @@ std::string rows_csv(const std::vector<Row>& rows) {
 
 study::ReachModels models_of(const Arguments& given, const StudyBundle& bundle) {
   if (!given.predict.name.empty()) {
-    const RatedSet rated = load_rated_set(given.predict, {});
+    const RatedSet rated = load_rated_set(given.predict);
     if (!rated.set)
       throw InputError("--predict", "needs the motions that were rated: name them with --set");
     return study::make_reach_models(
         bundle, study::predict_adjectives(rated.model, *rated.set, bundle.space.set));
   }
   if (given.ratings.name.empty()) return study::make_reach_models(bundle);
-  return study::make_reach_models(bundle, load_rated_set(given.ratings, {}).model);
+  study::AdjectiveModel model = load_rated_set(given.ratings).model;
+  if (!model.agreement.agrees()) throw InputError("--ratings", describe(model.agreement));
+  return study::make_reach_models(bundle, std::move(model));
 }
 
 // The targets that count and are the same for all participants, each name once.

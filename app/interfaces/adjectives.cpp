@@ -42,16 +42,25 @@ const std::string& representative(const AdjectiveModel& model, Eigen::Index clus
   return model.kept_pairs[best];
 }
 
+// What whoever made the model calls it comes first.
+void take_words(const study::PrimaryWords& words, SliderParameter& parameter) {
+  parameter.title.own = words.name;
+  if (!words.low.empty()) parameter.low = Words{"", study::text_in(words.low, "en"), words.low};
+  if (!words.high.empty()) parameter.high = Words{"", study::text_in(words.high, "en"), words.high};
+}
+
 void add_clusters(const AdjectiveModel& model, SliderCatalogue& catalogue) {
   const Eigen::MatrixXd& primary = model.quantification.primary;
   for (Eigen::Index c = 0; c < primary.rows(); ++c) {
-    const std::string& name = model.names[static_cast<std::size_t>(c)];
+    const auto at = static_cast<std::size_t>(c);
+    const std::string& name = model.names[at];
     SliderParameter parameter;
     // A cluster like none of the source has the name of one of its pairs.
-    const bool is_pair = name.find('-') != std::string::npos;
+    const bool is_pair = model.words.empty() && name.find('-') != std::string::npos;
     parameter.name = is_pair ? "cluster:" + name : name;
     if (!is_pair) parameter.title = {"cluster." + name, name};
     name_poles(representative(model, c), parameter);
+    if (!model.words.empty()) take_words(model.words[at], parameter);
     catalogue.parameters.push_back(std::move(parameter));
     catalogue.values.row(c) = primary.row(c);
   }
@@ -100,9 +109,7 @@ study::PreparedModel prepare(const study::InterfaceResources& resources,
   if (model->table.motions != motion::names_of(resources.space.set)) {
     return {nullptr, "the ratings are of other motions"};
   }
-  if (model->quantification.primary.rows() == 0) {
-    return {nullptr, "its raters agree on no pair of adjectives"};
-  }
+  if (model->quantification.primary.rows() == 0) return {nullptr, describe(model->agreement)};
   auto catalogue = make_catalogue(*model);
   read_slider_parameters(parameters, *catalogue);
   return {catalogue, ""};

@@ -67,12 +67,6 @@ double mean_known(const VectorXd& values) {
   return count > 0 ? sum / count : unknown;
 }
 
-PairFate decide(double extreme, double disagreement, const QuantificationOptions& options) {
-  if (std::isnan(extreme) || std::isnan(disagreement)) return PairFate::unrated;
-  if (extreme < options.least_extreme) return PairFate::never_extreme;
-  return disagreement > options.most_deviation ? PairFate::disagreed : PairFate::kept;
-}
-
 // Each row against the sum of the others in its cluster, all as they came in, so that
 // the order of rows does not matter.
 std::vector<bool> backward_rows(const MatrixXd& rows, const std::vector<int>& cluster) {
@@ -119,6 +113,12 @@ std::string number(double value) {
 
 }  // namespace
 
+PairFate fate_of(double extreme, double disagreement, const QuantificationOptions& options) {
+  if (std::isnan(extreme) || std::isnan(disagreement)) return PairFate::unrated;
+  if (extreme < options.least_extreme) return PairFate::never_extreme;
+  return disagreement > options.most_deviation ? PairFate::disagreed : PairFate::kept;
+}
+
 double correlation(const VectorXd& a, const VectorXd& b) {
   const VectorXd x = a.array() - a.mean();
   const VectorXd y = b.array() - b.mean();
@@ -136,7 +136,7 @@ Quantification quantify(const std::vector<Rating>& ratings, int pairs, int motio
     const bool whole = motions > 0 && !result.mean.row(j).array().isNaN().any();
     result.extreme(j) = whole ? result.mean.row(j).cwiseAbs().maxCoeff() : unknown;
     result.disagreement(j) = mean_known(result.deviation.row(j));
-    result.fate.push_back(decide(result.extreme(j), result.disagreement(j), options));
+    result.fate.push_back(fate_of(result.extreme(j), result.disagreement(j), options));
     if (result.fate.back() == PairFate::kept) result.kept.push_back(j);
   }
   result.scaled = (result.mean(result.kept, Eigen::all).array() + 2) / 4;

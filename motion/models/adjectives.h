@@ -28,6 +28,9 @@ struct QuantificationOptions {
 
 enum class PairFate { kept, never_extreme, disagreed, unrated };
 
+// What the two thresholds make of a pair with this mu* and sigma; NaN: unrated.
+PairFate fate_of(double extreme, double disagreement, const QuantificationOptions& options);
+
 struct Quantification {
   Eigen::MatrixXd mean;          // P x N: mu_ij, -2 to 2; NaN where nobody rated
   Eigen::MatrixXd deviation;     // P x N: over raters, n - 1; NaN with fewer than two

@@ -26,7 +26,10 @@ std::vector<ClusterName> name_clusters(const std::vector<PrintedClusters>& table
 // and 3).
 std::vector<PrintedClusters> printed_clusters(const std::vector<std::string>& pairs);
 
-// The cluster of each of the 51 features in the source ([O] Tables 4 and 5, set B).
+// The cluster of each of the 51 features in the source ([O] Tables 4 and 5, set B). The print has
+// 50 names: v_step-length_front-back stands on both sides of the page break, and
+// sigma_left-foot_left-right stands there twice; one of them is read as front-back. The 51st,
+// sigma_com-velocity_left-right, is ours and in none.
 PrintedClusters printed_feature_clusters();
 
 }  // namespace promenade::motion

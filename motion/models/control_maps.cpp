@@ -98,6 +98,7 @@ FeatureSliders feature_sliders(const MotionSet& set, int clusters) {
   const Quantification found = cluster_rows(scaled_to_range(motion_features(set)), clusters);
   FeatureSliders sliders;
   sliders.cluster = found.cluster;
+  sliders.tree = found.tree;
   sliders.parameters = scaled_to_range(found.primary);
   std::vector<std::string> fallback;
   for (Eigen::Index c = 0; c < found.primary.rows(); ++c) {

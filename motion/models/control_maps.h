@@ -17,6 +17,7 @@
 #include "motion/models/map.h"
 #include "motion/models/radial_basis.h"
 #include "motion/models/reach.h"
+#include "motion/models/ward.h"
 
 namespace promenade::motion {
 
@@ -47,6 +48,7 @@ struct FeatureSliders {
   std::vector<double> agreement;   // C: with the printed cluster of that name, 0 to 1
   std::vector<int> cluster;        // 51: 0 to C-1
   Eigen::MatrixXd parameters;      // C x N, 0 to 1
+  Dendrogram tree;                 // of the 51
 };
 FeatureSliders feature_sliders(const MotionSet& set, int clusters = 4);
 

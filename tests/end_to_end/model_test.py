@@ -3,10 +3,24 @@
 import contextlib
 import json
 import math
+import random
 import sqlite3
 import unittest
 
 from program import ProgramTest
+
+
+STUDY = """[study]
+name = "s"
+ratings = "{ratings}"
+[[interface]]
+name = "adjectives"
+[[task]]
+name = "t"
+kind = "match"
+limit_s = 20
+targets = [{{ example = "old" }}]
+"""
 
 
 def unit(index, count=10):
@@ -68,7 +82,7 @@ class Model(ProgramTest):
     def test_ratings_become_primary_parameters(self):
         path = self.folder / "ratings.csv"
         rows = [f"{rater},{motion},{pair},{value}"
-                for rater in "xy" for pair in ("slow-fast", "dull-quick", "sad-happy")
+                for rater in "uvwxyz" for pair in ("slow-fast", "dull-quick", "sad-happy")
                 for motion, value in (("a", -2), ("b", 0), ("c", 2))]
         path.write_text("rater,motion,pair,value\n" + "\n".join(rows) + "\n")
         found = self.document("model", "adjectives", str(path), "--clusters", "1")
@@ -130,6 +144,122 @@ class Model(ProgramTest):
         self.assertEqual(again["primary"], model["primary"])
         self.assertEqual(again["prediction"]["left_out"], model["prediction"]["left_out"])
         self.assertEqual(self.call("model", "raters", "mine").returncode, 2)
+
+    def test_ratings_that_do_not_agree_make_no_sliders(self):
+        draw = random.Random(5)
+        rows = [f"{rater},{motion},{pair},{draw.randint(-2, 2)}"
+                for rater in range(14) for motion in self.motions()
+                for pair in ("slow-fast", "sad-happy", "old-young", "weak-strong", "dark-bright")]
+        self.write("random.csv", "rater,motion,pair,value\n" + "\n".join(rows) + "\n")
+        told = self.call("model", "adjectives", "random.csv", "--json")
+        self.assertEqual(told.returncode, 0)
+        found = json.loads(told.stdout)
+        self.assertFalse(found["agrees"])
+        self.assertIn("the ratings do not agree: 0 of 5 pairs are left", told.stderr)
+        self.assertEqual(found["agreement"]["sentence"], told.stderr.strip().split(": ", 1)[1])
+        self.assertLess(abs(found["agreement"]["alpha"]["ordinal"]), 0.2)
+        for rater in found["by_rater"]:
+            self.assertLess(abs(rater["correlation"]), 0.6)
+        refused = self.call("model", "adjectives", "random.csv", "--out", "m.toml")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("do not agree", refused.stderr)
+        self.assertFalse((self.folder / "m.toml").exists())
+        study = self.write("s.toml", STUDY.format(ratings="random.csv"))
+        refused = self.call("check", study)
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("s.toml:3:", refused.stderr)
+        self.assertIn("do not agree", refused.stderr)
+
+    def test_a_rater_who_answers_at_random_shows(self):
+        self.call("model", "raters", "builtin:A", "--raters", "6", "--out", "r.csv")
+        draw = random.Random(1)
+        lines = (self.folder / "r.csv").read_text().splitlines()
+        bad = [line.rsplit(",", 1)[0] + f",{draw.randint(-2, 2)}" if line.startswith("simulated-04")
+               else line for line in lines]
+        self.write("r.csv", "\n".join(bad) + "\n")
+        raters = self.document("model", "adjectives", "r.csv")["by_rater"]
+        worst = min(raters, key=lambda rater: rater["correlation"])
+        self.assertEqual(worst["rater"], "simulated-04")
+        self.assertLess(worst["correlation"], 0.2)
+        self.assertTrue(all(r["correlation"] > 0.4 for r in raters if r is not worst))
+
+    def test_a_model_file_keeps_what_was_chosen(self):
+        made = self.call("model", "adjectives", "builtin:A", "--clusters", "3", "--names",
+                         "haste,poise,size", "--names-ja", "速さ,確かさ,大きさ", "--out", "m.toml")
+        self.assertEqual((made.returncode, made.stdout), (0, ""), made.stderr)
+        self.assertIn("simulated raters", made.stderr)
+        model = self.document("model", "adjectives", "m.toml", "--set", "builtin:A")
+        self.assertEqual([c["name"] for c in model["clusters"]], ["haste", "poise", "size"])
+        self.assertTrue(model["simulated"])
+        table = self.document("model", "adjectives", "builtin:A", "--clusters", "3")
+        self.assertEqual(model["primary"], table["primary"])
+        self.call("model", "adjectives", "m.toml", "--out", "again.toml")
+        self.assertEqual((self.folder / "again.toml").read_text(),
+                         (self.folder / "m.toml").read_text())
+        other = self.document("model", "adjectives", "m.toml", "--clusters", "4")
+        self.assertNotIn("haste", [c["name"] for c in other["clusters"]])
+        study = self.write("s.toml", STUDY.format(ratings="m.toml"))
+        checked = self.call("check", study, "--json")
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        problems = json.loads(checked.stdout)["studies"][0]["problems"]
+        self.assertTrue(any("simulated raters" in p["message"] for p in problems))
+        run = self.call("simulate", study, "--participants", "1", "--seed", "1", "--db", "s.db")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        with contextlib.closing(sqlite3.connect(self.folder / "s.db")) as database:
+            touched = {row[0] for row in database.execute("SELECT DISTINCT target FROM event")}
+        self.assertTrue(touched & {"haste", "poise", "size"})
+        audit = self.call("replay", "s.db", "--audit")
+        self.assertEqual(audit.returncode, 0, audit.stderr)
+        page = self.call("report", "s.db", "--include-simulated", "--out", "page")
+        self.assertEqual(page.returncode, 0, page.stderr)
+        written = json.loads((self.folder / "page/report.json").read_text())
+        self.assertTrue(written["adjectives"]["simulated"])
+        self.assertIn("simulated raters (14 simulated raters", " ".join(written["methods"]))
+        (self.folder / "m.toml").unlink()
+        packed = self.call("replay", "s.db", "--audit")
+        self.assertEqual(packed.returncode, 0, "the database holds the model")
+
+    def test_names_are_refused_that_no_slider_can_have(self):
+        for names, words in (("a,b", "2 names for 4 clusters"), ("a,a,b,c", "another slider"),
+                             ("slow-fast,a,b,c", "pair of adjectives"), ("a/b,c,d,e", "\"/\"")):
+            refused = self.call("model", "adjectives", "builtin:A", "--names", names, "--out",
+                                "m.toml")
+            self.assertEqual(refused.returncode, 2, names)
+            self.assertIn(words, refused.stderr)
+        refused = self.call("model", "adjectives", "builtin:A", "--out", "m.json")
+        self.assertEqual(refused.returncode, 2)
+
+    def test_clusters_are_held_against_the_printed_ones(self):
+        adjectives = self.document("model", "adjectives", "builtin:A")
+        for name in ("set_a", "set_b"):
+            printed = adjectives["printed"][name]
+            self.assertEqual(printed["count"], len(printed["pairs"]))
+            self.assertEqual(printed["count"] + len(printed["not_printed"]),
+                             len(adjectives["leaves"]))
+            self.assertTrue(-0.5 < printed["rand_index"] <= 1)
+        self.assertGreater(adjectives["printed"]["set_a"]["rand_index"], 0.3)
+        features = self.document("model", "features", "builtin:B", "--clusters", "4")
+        self.assertEqual(features["printed"]["set_b"]["count"], 50)
+        self.assertEqual(features["printed"]["set_b"]["not_printed"],
+                         ["sigma_com-velocity_left-right"])
+        self.assertEqual(len(features["merges"]), 50)
+
+    def test_dendrograms_are_drawn(self):
+        for ending, beginning in (("svg", b"<?xml"), ("pdf", b"%PDF"), ("png", b"\x89PNG")):
+            drawn = self.call("model", "adjectives", "builtin:A", "--picture", f"a.{ending}")
+            self.assertEqual((drawn.returncode, drawn.stdout), (0, ""), drawn.stderr)
+            self.assertTrue((self.folder / f"a.{ending}").read_bytes().startswith(beginning))
+        picture = (self.folder / "a.svg").read_text()
+        for words in ("Simulated raters", "quickness", "slow – fast", "Left out"):
+            self.assertIn(words, picture)
+        drawn = self.call("model", "features", "builtin:B", "--picture", "f.svg")
+        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.assertIn("v_step-length_front-back", (self.folder / "f.svg").read_text())
+        self.assertEqual(self.call("model", "features", "builtin:B", "--picture",
+                                   "f.gif").returncode, 2)
+
+    def motions(self):
+        return [c["name"] for c in self.document("set", "info", "builtin:A", "--json")["cycles"]]
 
     def test_a_study_takes_its_adjectives_from_ratings(self):
         self.call("model", "raters", "builtin:A", "--out", "r.csv")

@@ -6,49 +6,22 @@
 #include "analysis/report/figures/kinds.h"
 #include "analysis/report/figures/style.h"
 #include "analysis/report/gnuplot.h"
+#include "motion/models/dendrogram_layout.h"
 
 namespace promenade::analysis {
 namespace {
 
 constexpr double row_mm = 3.3;  // of a name in 8 pt
 
-// Where clusters stand, leaves first, then one for each merge: rows from below, from 1.
-struct Layout {
-  std::vector<int> order;    // of the leaves, from the top
-  std::vector<double> rows;  // of each cluster
-};
-
-double height_of(const motion::Dendrogram& tree, int cluster) {
-  return cluster < tree.leaves ? 0 : item(tree.merges, cluster - tree.leaves).height;
-}
-
-// As R orders them: the tighter of two clusters first.
-void order_leaves(const motion::Dendrogram& tree, int cluster, std::vector<int>& order) {
-  if (cluster < tree.leaves) {
-    order.push_back(cluster);
-    return;
-  }
-  const motion::Merge& merge = item(tree.merges, cluster - tree.leaves);
-  const bool swapped = height_of(tree, merge.b) < height_of(tree, merge.a);
-  order_leaves(tree, swapped ? merge.b : merge.a, order);
-  order_leaves(tree, swapped ? merge.a : merge.b, order);
-}
-
-Layout layout_of(const motion::Dendrogram& tree) {
-  Layout layout;
-  order_leaves(tree, tree.leaves + size_of(tree.merges) - 1, layout.order);
-  layout.rows.resize(static_cast<std::size_t>(tree.leaves));
-  for (int i = 0; i < tree.leaves; ++i) {
-    item(layout.rows, item(layout.order, i)) = tree.leaves - i;
-  }
-  for (const motion::Merge& merge : tree.merges) {
-    layout.rows.push_back((item(layout.rows, merge.a) + item(layout.rows, merge.b)) / 2);
-  }
+// Rows from below, from 1.
+motion::DendrogramLayout layout_of(const motion::Dendrogram& tree) {
+  motion::DendrogramLayout layout = motion::dendrogram_layout(tree);
+  for (double& row : layout.rows) row = tree.leaves - row;
   return layout;
 }
 
 // Each merge is a bracket of four points, an empty line parts them.
-Table brackets(const motion::Dendrogram& tree, const Layout& layout) {
+Table brackets(const motion::Dendrogram& tree, const motion::DendrogramLayout& layout) {
   Table table{"", "", {"height", "row", "merge", "examples"}, {}};
   for (int i = 0; i < size_of(tree.merges); ++i) {
     const motion::Merge& merge = item(tree.merges, i);
@@ -56,16 +29,16 @@ Table brackets(const motion::Dendrogram& tree, const Layout& layout) {
       table.rows.push_back({Cell(height), Cell(item(layout.rows, cluster)),
                             Cell(std::int64_t{i + 1}), Cell(std::int64_t{merge.size})});
     };
-    add(height_of(tree, merge.a), merge.a);
+    add(motion::height_of(tree, merge.a), merge.a);
     add(merge.height, merge.a);
     add(merge.height, merge.b);
-    add(height_of(tree, merge.b), merge.b);
+    add(motion::height_of(tree, merge.b), merge.b);
     table.rows.emplace_back();
   }
   return table;
 }
 
-Table names_in(const Layout& layout, const std::vector<std::string>& names,
+Table names_in(const motion::DendrogramLayout& layout, const std::vector<std::string>& names,
                const std::string& table_name) {
   Table table{table_name, "", {"row", "example"}, {}};
   for (const int leaf : layout.order) {
@@ -74,7 +47,8 @@ Table names_in(const Layout& layout, const std::vector<std::string>& names,
   return table;
 }
 
-std::string row_names(const Layout& layout, const std::vector<std::string>& names, double room_mm) {
+std::string row_names(const motion::DendrogramLayout& layout, const std::vector<std::string>& names,
+                      double room_mm) {
   std::string tics;
   for (const int leaf : layout.order) {
     tics +=
@@ -100,7 +74,7 @@ std::optional<Figure> dendrogram(const Results& results) {
   const motion::Dendrogram& tree = results.map_times.tree;
   const std::vector<std::string>& names = results.map_times.names;
   if (tree.merges.empty() || !(tree.merges.back().height > 0)) return std::nullopt;
-  const Layout layout = layout_of(tree);
+  const motion::DendrogramLayout layout = layout_of(tree);
   const Frame frame = frame_of(names);
   const FramedPlot framing = framed(frame);
   const double top = tree.merges.back().height;

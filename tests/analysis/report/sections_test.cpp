@@ -186,6 +186,20 @@ TEST(MethodsSection, NamesWhatWasUsedAndNothingElse) {
   EXPECT_EQ(works.find("McNemar (1947)"), std::string::npos) << "nobody failed";
 }
 
+TEST(MethodsSection, SaysWhetherPeopleJudgedTheMotionsBehindTheAdjectives) {
+  const TestFolder folder;
+  fill_three(folder, 6);
+  Results results = results_of(folder);
+  const auto draft = [&] { return methods_section(results).json["methods"].dump(); };
+  EXPECT_EQ(draft().find("adjectives"), std::string::npos) << "no interface used them";
+  results.adjectives = AdjectiveSource{"14 simulated raters, seed 1", 14, true};
+  EXPECT_NE(draft().find("by simulated raters (14 simulated raters, seed 1): no person"),
+            std::string::npos);
+  EXPECT_TRUE(methods_section(results).json["adjectives"]["simulated"]);
+  results.adjectives = AdjectiveSource{"ratings.csv", 9, false};
+  EXPECT_NE(draft().find("ratings by 9 people (ratings.csv)"), std::string::npos);
+}
+
 TEST(FailuresSection, HasNoSharesOfATaskThatCannotFail) {
   const TestFolder folder;
   {

@@ -229,5 +229,30 @@ TEST(Adjectives, NobodyHasRatedAForeignSet) {
   EXPECT_NE(prepared.problem.find("nobody has rated"), std::string::npos);
 }
 
+// What is prepared of another model than that of the simulated raters.
+std::shared_ptr<const SliderCatalogue> catalogue_of(const study::AdjectiveModel& model) {
+  const study::InterfaceType& type = *interfaces().find("adjectives");
+  const auto shared = std::make_shared<const study::AdjectiveModel>(model);
+  const study::PreparedModel prepared = type.prepare({bench::space(), [&shared] { return shared; }},
+                                                     bench::standard_parameters(type));
+  EXPECT_EQ(prepared.problem, "");
+  return std::static_pointer_cast<const SliderCatalogue>(prepared.model);
+}
+
+TEST(Adjectives, HaveTheNamesAndWordsOfTheirModel) {
+  std::vector<study::PrimaryWords> words = words_of(ratings());
+  words[0] = {{{"en", "haste"}, {"ja", "急ぎ足"}}, {{"en", "late"}}, {{"en", "soon"}}};
+  const auto catalogue = catalogue_of(named(ratings(), words));
+  const SliderParameter& first = catalogue->parameters[0];
+  EXPECT_EQ(first.name, "haste") << "in the log";
+  EXPECT_EQ(first.title.own.at("ja"), "急ぎ足");
+  EXPECT_EQ(first.low.own.at("en"), "late");
+  EXPECT_EQ(first.high.fallback, "soon");
+  const SliderParameter& second = catalogue->parameters[1];
+  EXPECT_EQ(second.title.key, "cluster." + ratings().names[1]) << "the program's own Japanese";
+  EXPECT_EQ(second.title.own.count("ja"), 0U);
+  EXPECT_EQ(catalogue->values.row(0), ratings().quantification.primary.row(0));
+}
+
 }  // namespace
 }  // namespace promenade::app
