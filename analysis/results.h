@@ -46,6 +46,7 @@ struct Results {
   FailureTests failure_tests;
   std::vector<TaskTimes> times;
   Preference preference;
+  int rated_walks = 0;  // pages about single walks of rate tasks, which have no interface
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;
@@ -53,7 +54,8 @@ struct Results {
 };
 
 // Reads the databases and runs every test. Without `registry` there is no regret and no map.
-// Throws InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
+// Throws InputError, also when no trial and no rated walk is left to analyse; OutsideError when
+// `progress` stops it.
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
                         const Progress& progress = {},
                         const study::InterfaceRegistry* registry = nullptr);

@@ -223,5 +223,32 @@ TEST(ComparisonTable, HasOnlyPairsThatATaskAllows) {
   for (const auto& row : table.rows) EXPECT_EQ(row[1].find("map"), std::string::npos) << row[1];
 }
 
+void set_config(ToyLog& log, const std::string& text) {
+  study::Statement row(log.database(), "UPDATE study SET config_text = ?");
+  row.bind(1, text).run();
+}
+
+// Each of `people` rated one walk on two pairs of adjectives.
+Results rated(const TestFolder& folder, int people) {
+  {
+    ToyLog log(folder.file("a.db"));
+    set_config(log, "[study]\npublished = \"oshita-questionnaire-a\"\n");
+    for (int i = 1; i <= people; ++i) {
+      log.session({"P" + std::to_string(i)}).trial({"", "happy", 20, {}, "done", "rate"});
+      log.answer("slow-fast", 2).answer("dark-bright", i % 2);
+    }
+  }
+  return results_of(folder);
+}
+
+TEST(Sections, HoldWhereWalksWereOnlyRated) {
+  const TestFolder folder;
+  const Results results = rated(folder, 3);
+  EXPECT_TRUE(results.data.trials.empty());
+  EXPECT_EQ(results.rated_walks, 3);
+  expect_numbers(results);
+  EXPECT_TRUE(comparisons_section(results).title.empty());
+}
+
 }  // namespace
 }  // namespace promenade::analysis
