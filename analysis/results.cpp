@@ -102,6 +102,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.preference =
       preference_of(results.data.interfaces,
                     preferred(filled.pages, study::outline_of(results.log.config_text).interfaces));
+  results.published = published_of(results, stored ? &*stored : nullptr);
   return results;
 }
 

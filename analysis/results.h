@@ -15,6 +15,7 @@
 #include "analysis/order_effects.h"
 #include "analysis/preference.h"
 #include "analysis/prereg/prereg_check.h"
+#include "analysis/published/published.h"
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
 #include "analysis/regret.h"
@@ -46,6 +47,7 @@ struct Results {
   FailureTests failure_tests;
   std::vector<TaskTimes> times;
   Preference preference;
+  Published published;  // beside the printed study that [study] published names
   int rated_walks = 0;  // pages about single walks of rate tasks, which have no interface
 
   // The results of one measure in one task, averaged per participant.

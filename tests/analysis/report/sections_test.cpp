@@ -250,5 +250,48 @@ TEST(Sections, HoldWhereWalksWereOnlyRated) {
   EXPECT_TRUE(comparisons_section(results).title.empty());
 }
 
+TEST(PublishedSection, ShowsKeptPairsBesideTheirPrint) {
+  const TestFolder folder;
+  const Section section = published_section(rated(folder, 3));
+  EXPECT_EQ(section.title, "Printed in the paper, and this run");
+  const auto& json = section.json["published"];
+  EXPECT_EQ(json["study"], "oshita-questionnaire-a");
+  EXPECT_EQ(json["pairs"].size(), 41U);
+  EXPECT_EQ(json["pairs"][0]["pair"], "slow-fast");
+  EXPECT_EQ(json["pairs"][0]["kept"], 1) << "2 of all three";
+  EXPECT_EQ(json["pairs"][0]["extreme"], 2);
+  EXPECT_EQ(json["pairs"][0]["sigma"], 0);
+  EXPECT_EQ(json["pairs"][0]["cluster_in_print"], "quickness");
+  EXPECT_EQ(json["pairs"][16]["pair"], "dark-bright");
+  EXPECT_EQ(json["pairs"][16]["kept"], 0) << "2/3 is never extreme";
+  EXPECT_TRUE(json["pairs"][1]["kept"].is_null()) << "nobody rated it";
+  EXPECT_EQ(json["kept"], 1);
+  EXPECT_EQ(json["kept_in_both"], 1);
+  EXPECT_EQ(section.tables.size(), 2U);
+}
+
+TEST(PublishedSection, IsNotThereWithoutAPublishedStudy) {
+  const TestFolder folder;
+  fill_three(folder, 3);
+  EXPECT_TRUE(published_section(results_of(folder)).title.empty());
+}
+
+TEST(PublishedSection, CountsTestsOnBothSides) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 13, 0.001);
+    set_config(log,
+               "[study]\npublished = \"oshita-2018\"\n[[interface]]\nname = \"labels\"\n"
+               "type = \"adjectives\"\n[[interface]]\nname = \"weights\"\n[[task]]\nname = "
+               "\"match\"\nkind = \"guess\"\n");
+  }
+  const std::string page = published_section(results_of(folder)).html.code;
+  EXPECT_NE(page.find("D of the guess: of 15 tests of single targets 11 are significant in print "
+                      "and 1 in this run; 0 have the same answer."),
+            std::string::npos)
+      << page;
+}
+
 }  // namespace
 }  // namespace promenade::analysis
