@@ -118,7 +118,9 @@ PublishedRow row_of(const PrintedClaim& claim) {
   row.kind = "claim";
   row.what = std::string(claim.words);
   row.place = std::string(claim.place);
-  row.printed_words = claim.claim == Claim::equal ? "no difference" : "significant";
+  row.printed_words = "no difference";
+  if (claim.claim == Claim::a_less) row.printed_words = fmt::format("smaller with {}", claim.a);
+  if (claim.claim == Claim::a_more) row.printed_words = fmt::format("smaller with {}", claim.b);
   return row;
 }
 

@@ -33,9 +33,9 @@ HtmlTable statements(const Published& published) {
   for (const PublishedRow& row : published.rows) {
     if (row.kind == "test") continue;
     const std::string what = row.target.empty() ? row.what : row.what + ", " + row.target;
-    table.rows.push_back(
-        {what, row.place, row.printed_words.empty() ? short_number(row.printed) : row.printed_words,
-         words_of_run(row), row.n > 0 ? std::to_string(row.n) : "", answer(row.agrees)});
+    table.rows.push_back({what, row.place,
+                          row.printed_words.empty() ? short_number(row.printed) : row.printed_words,
+                          words_of_run(row), answer(row.agrees)});
   }
   return table;
 }

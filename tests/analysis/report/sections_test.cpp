@@ -250,9 +250,28 @@ TEST(Sections, HoldWhereWalksWereOnlyRated) {
   EXPECT_TRUE(comparisons_section(results).title.empty());
 }
 
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// In each table, a row has as many cells as there are headings.
+void expect_whole_tables(const std::string& html) {
+  for (std::size_t at = html.find("<table"); at != html.npos; at = html.find("<table", at + 1)) {
+    const std::string table = html.substr(at, html.find("</table>", at) - at);
+    const int columns = count(table, "scope=\"col\"");
+    for (std::size_t row = table.find("<tr"); row != table.npos; row = table.find("<tr", row + 1)) {
+      const std::string cells = table.substr(row, table.find("</tr>", row) - row);
+      EXPECT_EQ(count(cells, "<td") + count(cells, "<th"), columns) << cells;
+    }
+  }
+}
+
 TEST(PublishedSection, ShowsKeptPairsBesideTheirPrint) {
   const TestFolder folder;
   const Section section = published_section(rated(folder, 3));
+  expect_whole_tables(section.html.code);
   EXPECT_EQ(section.title, "Printed in the paper, and this run");
   const auto& json = section.json["published"];
   EXPECT_EQ(json["study"], "oshita-questionnaire-a");
@@ -291,6 +310,7 @@ TEST(PublishedSection, CountsTestsOnBothSides) {
                       "and 1 in this run; 0 have the same answer."),
             std::string::npos)
       << page;
+  expect_whole_tables(page);
 }
 
 }  // namespace
