@@ -1,5 +1,7 @@
 #include "analysis/results.h"
 
+#include <algorithm>
+
 #include "analysis/format.h"
 #include "analysis/made.h"
 #include "analysis/outcomes.h"
@@ -39,6 +41,14 @@ std::optional<AdjectiveSource> adjectives_of(const study::StudyBundle* bundle) {
   return AdjectiveSource{model.source, model.table.raters, model.simulated()};
 }
 
+// What rate tasks leave: pages about a walk that nobody made with an interface.
+int count_rated(const std::vector<FilledPage>& pages) {
+  const auto is_rated = [](const FilledPage& page) {
+    return page.interface.empty() && !page.task.empty() && !page.target.empty();
+  };
+  return static_cast<int>(std::count_if(pages.begin(), pages.end(), is_rated));
+}
+
 }  // namespace
 
 std::vector<const Comparison*> Results::pairs(int measure, int task) const {
@@ -65,12 +75,15 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.options = options;
   results.selection = select(results.log, options);
   results.data = make_dataset(results.log, results.selection);
-  if (results.data.trials.empty()) {
+  const Questionnaires filled = read_questionnaires(results.log, results.selection);
+  results.rated_walks = count_rated(filled.pages);
+  if (results.data.trials.empty() && results.rated_walks == 0) {
     throw InputError(listed(databases), nothing_to_report(results.selection));
   }
+  std::optional<study::StudyBundle> stored;
   if (registry) {
     study::Database database = study::open_log(databases[0]);
-    const auto stored = study::read_newest_study(database, *registry);
+    stored = study::read_newest_study(database, *registry);
     const study::StudyBundle* bundle = stored ? &*stored : nullptr;
     results.reachability = find_reachable(bundle, *registry);
     add_regret(results.reachability, results.data);
@@ -87,7 +100,6 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.ratings = rating_quality(read_rated_motions(results.log, results.selection));
   results.deviations = deviations_of(results.log, results.selection);
   results.order = order_effects_of(results.log, results.data);
-  const Questionnaires filled = read_questionnaires(results.log, results.selection);
   results.questionnaires = questionnaire_results(filled.pages, filled.instruments, results.data);
   results.sensitivity = sensitivity_of(results.log, options, results.selection, results.data);
   results.target_summaries = target_summaries(results.data);
@@ -97,6 +109,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.preference =
       preference_of(results.data.interfaces,
                     preferred(filled.pages, study::outline_of(results.log.config_text).interfaces));
+  results.published = published_of(results, stored ? &*stored : nullptr);
   return results;
 }
 

@@ -15,6 +15,7 @@
 #include "analysis/order_effects.h"
 #include "analysis/preference.h"
 #include "analysis/prereg/prereg_check.h"
+#include "analysis/published/published.h"
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
 #include "analysis/rating_quality.h"
@@ -56,6 +57,8 @@ struct Results {
   std::vector<TaskTimes> times;
   Preference preference;
   std::optional<AdjectiveSource> adjectives;  // where an interface or targets used them
+  Published published;  // beside the printed study that [study] published names
+  int rated_walks = 0;  // pages about single walks of rate tasks, which have no interface
 
   // The results of one measure in one task, averaged per participant.
   std::vector<const Comparison*> pairs(int measure, int task) const;
@@ -63,7 +66,8 @@ struct Results {
 };
 
 // Reads the databases and runs every test. Without `registry` there is no regret and no map.
-// Throws InputError, also when no trial is left to analyse; OutsideError when `progress` stops it.
+// Throws InputError, also when no trial and no rated walk is left to analyse; OutsideError when
+// `progress` stops it.
 Results compute_results(const std::vector<std::string>& databases, const SelectionOptions& options,
                         const Progress& progress = {},
                         const study::InterfaceRegistry* registry = nullptr);

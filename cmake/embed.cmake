@@ -1,5 +1,5 @@
-# Writes OUT: every configs/**/*.toml as a string, sorted by path.
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.toml)
+# Writes OUT: every configs/**/*.toml and *.csv as a string, sorted by path.
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.toml ${ROOT}/*.csv)
 list(SORT files)
 set(text "// Made by cmake/embed.cmake from configs/.\n#include \"study/embedded.h\"\n\n")
 string(APPEND text "namespace promenade::study {\n\nstd::span<const EmbeddedFile> embedded_files() {\n")

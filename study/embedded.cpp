@@ -17,6 +17,7 @@ std::vector<std::string> embedded_names(std::string_view folder) {
   std::vector<std::string> names;
   for (const EmbeddedFile& file : embedded_files()) {
     if (file.path.substr(0, beginning.size()) != beginning) continue;
+    if (file.path.substr(file.path.size() - ending.size()) != ending) continue;
     const std::size_t length = file.path.size() - beginning.size() - ending.size();
     names.emplace_back(file.path.substr(beginning.size(), length));
   }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "motion/did_you_mean.h"
+#include "study/published.h"
 #include "study/study_parts.h"
 #include "study/utf8.h"
 
@@ -125,6 +126,7 @@ void read_study_section(const TomlTable& root, Study& study) {
   if (table.has("languages")) study.languages = read_language_list(table);
   study.seed = static_cast<std::uint64_t>(
       table.integer("seed", 0, largest_seed).value_or(static_cast<std::int64_t>(study.seed)));
+  study.published = table.choice("published", published_studies()).value_or("");
   const auto order = table.choice("order", {"williams", "latin", "random", "fixed"});
   study.order = order_of(order.value_or("williams"));
   read_design(table, study);

@@ -187,7 +187,7 @@ std::string simulated_ratings_path(std::string_view builtin_set) {
 
 std::string load_file(const std::string& name, const std::string& folder) {
   if (is_builtin(name)) return builtin_content(name);
-  return read_file((std::filesystem::path(folder) / name).string());
+  return text_of((std::filesystem::path(folder) / name).string());
 }
 
 StudyBundle read_study(const std::string& file, std::string text, const InterfaceRegistry& registry,

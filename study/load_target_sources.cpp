@@ -1,9 +1,11 @@
-// Where one entry of `targets` stands for several: { random = ... } and { file = ... }.
+// Where one entry of `targets` stands for several: { random = ... } and
+// { all = true }.
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "study/study_parts.h"
 #include "study/target_draw.h"
-#include "study/targets_csv.h"
 
 namespace promenade::study {
 namespace {
@@ -23,13 +25,15 @@ struct Lot {
 DrawModel model_of(const std::string& word) {
   if (word == "features") return DrawModel::features;
   if (word == "weights") return DrawModel::weights;
+  if (word == "examples") return DrawModel::examples;
   return word == "pca" ? DrawModel::pca : DrawModel::adjectives;
 }
 
 // Nothing after a problem.
 std::optional<Lot> read_lot(const TomlTable& table, const TargetRules& task) {
   Lot lot;
-  const auto model = table.choice("random", {"adjectives", "features", "weights", "pca"});
+  const auto model =
+      table.choice("random", {"adjectives", "features", "weights", "pca", "examples"});
   const auto kept = table.integer("count", 1, most_targets);
   const auto draws = table.integer("draw", 1, most_draws);
   const auto per = table.choice("per", {"study", "participant"});
@@ -60,6 +64,18 @@ DrawWalk source_of(const TomlTable& table, const Lot& lot, const StudyContext& c
                                       source.problem));
   }
   return std::move(source.draw);
+}
+
+// No example is drawn twice: there must be enough of them, and no more are drawn than there are.
+bool has_enough_examples(const TomlTable& table, const StudyContext& context, Lot& lot) {
+  if (lot.model != DrawModel::examples) return true;
+  const int far = count_far_examples(*context.bank, lot.rules.times, lot.rules.least_start_m);
+  lot.rules.draws = std::min(lot.rules.draws, far);
+  if (far >= lot.rules.kept) return true;
+  table.error("count", fmt::format("{} walks of the set are asked for, but only {} of them begin "
+                                   "above the threshold of {:.4f} m",
+                                   lot.rules.kept, far, lot.rules.least_start_m));
+  return false;
 }
 
 bool begins_far(const TomlTable& table, const Lot& lot, const DrawWalk& draw,
@@ -103,6 +119,32 @@ void draw_for_all(const Lot& lot, const DrawWalk& draw, const StudyContext& cont
   for (std::size_t i = 0; i < targets.size(); ++i) targets[i].weights = walks[i];
 }
 
+// A walk of the set goes by its own name unless the study has another one.
+void name_examples(const TomlTable& table, const Lot& lot, const motion::MotionSet& set,
+                   std::vector<Target>& targets) {
+  if (lot.model != DrawModel::examples || lot.each || table.has("name")) return;
+  for (Target& target : targets) {
+    Eigen::Index cycle = 0;
+    target.weights->maxCoeff(&cycle);
+    target.name = set.cycles[static_cast<std::size_t>(cycle)].name;
+  }
+}
+
+std::vector<Target> drawn(const TomlTable& table, Lot lot, const DrawWalk& draw,
+                          const StudyContext& context, const std::string& task,
+                          std::vector<Target> targets) {
+  if (!has_enough_examples(table, context, lot) || !begins_far(table, lot, draw, context)) {
+    return targets;
+  }
+  if (lot.each) {
+    draw_for_each(lot, draw, *context.bank, targets);
+  } else {
+    draw_for_all(lot, draw, context, task, targets);
+    name_examples(table, lot, context.space->set, targets);
+  }
+  return targets;
+}
+
 }  // namespace
 
 std::vector<Target> read_random_targets(const TomlTable& table, std::string_view key,
@@ -111,43 +153,30 @@ std::vector<Target> read_random_targets(const TomlTable& table, std::string_view
   if (!lot) return {};
   // Practice never meets the targets that count.
   std::vector<Target> targets = open_targets(table, *lot, std::string(key) + ":" + lot->name);
+  table.text("kept_in");  // known, though the walks may not be
   if (!context.space) return targets;
+  if (auto kept = read_kept_targets(table, lot->rules.kept, lot->each, context)) return *kept;
   const DrawWalk draw = source_of(table, *lot, context);
   if (!draw) return targets;
   lot->rules.least_start_m =
       task.least_start_m ? *task.least_start_m
                          : usual_least_start(*context.space, *context.bank, draw, task.times);
-  if (!begins_far(table, *lot, draw, context)) return targets;
-  if (lot->each) {
-    draw_for_each(*lot, draw, *context.bank, targets);
-  } else {
-    draw_for_all(*lot, draw, context, task.task, targets);
-  }
-  return targets;
+  return drawn(table, *lot, draw, context, task.task, std::move(targets));
 }
 
-std::vector<Target> read_target_file(const TomlTable& table, const StudyContext& context) {
-  const auto name = table.text("file");
-  if (!name || !context.space) return {};
-  try {
-    std::vector<Target> targets =
-        read_targets_csv(context.files.full_path(*name), context.files.read(*name),
-                         motion::names_of(context.space->set));
-    for (Target& target : targets) {
-      target.place = table.place();
-      refuse_unsafe_name(table, "file", target.name);
-    }
-    return targets;
-  } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) {
-      if (problem.line > 0) {
-        table.reader().add({problem});
-      } else {
-        table.error("file", "cannot use the targets \"" + *name + "\": " + problem.message);
-      }
-    }
-    return {};
+std::vector<Target> read_all_examples(const TomlTable& table, const StudyContext& context) {
+  const auto all = table.boolean("all");
+  if (all && !*all) table.error("all", "\"all\" is true, or left out");
+  if (!context.space) return {};
+  const motion::MotionSet& set = context.space->set;
+  std::vector<Target> targets(static_cast<std::size_t>(set.size()));
+  for (int i = 0; i < set.size(); ++i) {
+    Target& target = targets[static_cast<std::size_t>(i)];
+    target.name = set.cycles[static_cast<std::size_t>(i)].name;
+    target.weights = Eigen::VectorXd::Unit(set.size(), i);
+    target.place = table.place();
   }
+  return targets;
 }
 
 }  // namespace promenade::study

@@ -98,10 +98,13 @@ Target read_target(const TomlTable& table, const StudyContext& context) {
 std::vector<Target> read_source(const TomlTable& table, std::string_view key,
                                 const StudyContext& context, const TargetRules& rules) {
   int sources = 0;
-  for (const char* source : {"example", "weights", "random", "file"}) {
+  for (const char* source : {"example", "weights", "random", "file", "all"}) {
     sources += table.has(source) ? 1 : 0;
   }
-  if (sources != 1) table.error(R"(a target needs one of "example", "weights", "random", "file")");
+  if (sources != 1) {
+    table.error(R"(a target needs one of "example", "weights", "random", "file", "all")");
+  }
+  if (table.has("all")) return read_all_examples(table, context);
   if (table.has("random")) return read_random_targets(table, key, context, rules);
   if (table.has("file")) return read_target_file(table, context);
   return {read_target(table, context)};

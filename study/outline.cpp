@@ -65,6 +65,29 @@ std::string order_in(const TomlValue& root) {
   return study ? text_in(*study, "order", "williams") : "";
 }
 
+std::string published_in(const TomlValue& root) {
+  const TomlValue* study = find(root, "study");
+  return study ? text_in(*study, "published", "") : "";
+}
+
+std::vector<OutlinedDraw> draws_in(const TomlValue& root) {
+  std::vector<OutlinedDraw> draws;
+  const TomlValue* tasks = find(root, "task");
+  if (!tasks) return draws;
+  for (const TomlValue& task : tasks->elements) {
+    const TomlValue* targets = find(task, "targets");
+    if (!targets || text_in(task, "kind", "") == "rate") continue;
+    for (const TomlValue& target : targets->elements) {
+      const OutlinedDraw draw{text_in(task, "name", ""), text_in(target, "random", "")};
+      const bool known = std::any_of(draws.begin(), draws.end(), [&](const OutlinedDraw& other) {
+        return other.task == draw.task && other.model == draw.model;
+      });
+      if (!draw.model.empty() && !known) draws.push_back(draw);
+    }
+  }
+  return draws;
+}
+
 }  // namespace
 
 Outline outline_of(std::string_view config_text) {
@@ -75,7 +98,10 @@ Outline outline_of(std::string_view config_text) {
             targets_in(root),
             names_in(root, "rating", {"item"}),
             guesses_in(root),
-            order_in(root)};
+            order_in(root),
+            names_in(root, "interface", {"type", "name"}),
+            published_in(root),
+            draws_in(root)};
   } catch (const InputError&) {
     return {};
   }

@@ -167,6 +167,7 @@ enum class Factor { interface, task, target };
 struct Study {
   std::string name, version = "1";
   std::string set = "builtin:A";
+  std::string published;     // the printed study that it repeats (study/published.h); empty: none
   std::string ratings_file;  // of the motions on pairs of adjectives; empty: none is named
   std::vector<std::string> languages = {"en"};
   std::uint64_t seed = 1;

@@ -111,6 +111,11 @@ std::vector<Target> read_targets(const TomlTable& task, std::string_view key,
 std::vector<Target> read_random_targets(const TomlTable& table, std::string_view key,
                                         const StudyContext& context, const TargetRules& task);
 std::vector<Target> read_target_file(const TomlTable& table, const StudyContext& context);
+std::vector<Target> read_all_examples(const TomlTable& table, const StudyContext& context);
+// What { random = ..., kept_in = FILE } drew once, `count` targets; nothing where it is to be
+// drawn: there is no such key, or the file is about another set.
+std::optional<std::vector<Target>> read_kept_targets(const TomlTable& table, int count, bool each,
+                                                     const StudyContext& context);
 std::vector<Target> read_qualities(const TomlTable& task, std::string_view key,
                                    const StudyContext& context);
 // [[rating]] and [[questionnaire]]: after the tasks, of which they speak.

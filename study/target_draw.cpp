@@ -45,6 +45,12 @@ DrawWalk mixture_of_walks(int n) {
   };
 }
 
+DrawWalk one_walk(int n) {
+  return [n](Rng& rng) {
+    return VectorXd(VectorXd::Unit(n, static_cast<int>(rng.below(static_cast<std::uint64_t>(n)))));
+  };
+}
+
 WalkSource place_on_map(const motion::MotionSpace& space) {
   const motion::Pca pca = motion::principal_components(space);
   if (pca.components() == 0) return {{}, "all cycles of the set are alike"};
@@ -83,11 +89,11 @@ std::vector<double> tried(const motion::PoseBank& bank, const DrawWalk& draw, Di
 }
 
 VectorXd draw_far(const motion::PoseBank& bank, const DrawWalk& draw, const DrawRules& rules,
-                  Rng& rng) {
+                  const std::vector<VectorXd>& before, Rng& rng) {
   VectorXd weights = draw(rng);
   for (int i = 1; i < most_tries; ++i) {
-    const bool far = start_of(bank, weights, rules.times) >= rules.least_start_m;
-    if (far) break;
+    const bool is_new = std::find(before.begin(), before.end(), weights) == before.end();
+    if (is_new && start_of(bank, weights, rules.times) >= rules.least_start_m) break;
     weights = draw(rng);
   }
   return weights;
@@ -106,6 +112,8 @@ WalkSource make_walk_source(DrawModel model, const motion::MotionSpace& space,
       return {mixture_of_walks(space.set.size()), ""};
     case DrawModel::pca:
       return place_on_map(space);
+    case DrawModel::examples:
+      return {one_walk(space.set.size()), ""};
   }
   return {};
 }
@@ -123,6 +131,14 @@ int count_far_starts(const motion::PoseBank& bank, const DrawWalk& draw, Distanc
   const std::vector<double> starts = tried(bank, draw, times);
   return static_cast<int>(std::count_if(starts.begin(), starts.end(),
                                         [&](double start) { return start >= least_start_m; }));
+}
+
+int count_far_examples(const motion::PoseBank& bank, DistanceTimes times, double least_start_m) {
+  int far = 0;
+  for (int i = 0; i < bank.size(); ++i) {
+    far += start_of(bank, VectorXd::Unit(bank.size(), i), times) >= least_start_m ? 1 : 0;
+  }
+  return far;
 }
 
 std::vector<int> farthest_points(const std::vector<DistancePoints>& points,
@@ -151,7 +167,7 @@ std::vector<VectorXd> draw_targets(const motion::PoseBank& bank, const DrawWalk&
   std::vector<VectorXd> walks;
   std::vector<DistancePoints> points;
   for (int i = 0; i < std::max(rules.draws, rules.kept); ++i) {
-    walks.push_back(draw_far(bank, draw, rules, rng));
+    walks.push_back(draw_far(bank, draw, rules, walks, rng));
     points.push_back(blend_points(bank, walks.back(), rules.times));
   }
   const DistancePoints start = blend_points(bank, equal_weights(bank.size()), rules.times);

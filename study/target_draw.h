@@ -17,7 +17,8 @@ enum class DrawModel {
   adjectives,  // the sliders of the adjectives, each uniform over its range ([O] 6)
   features,    // the same of the clusters of features
   weights,     // three walks chosen by lot, their shares uniform over all that sum to 1
-  pca          // the components of the map, normal as those of the examples, inside its bounds
+  pca,         // the components of the map, normal as those of the examples, inside its bounds
+  examples     // a walk of the set as it is, none of them twice
 };
 
 using DrawWalk = std::function<Eigen::VectorXd(Rng&)>;  // N weights that sum to 1
@@ -41,6 +42,9 @@ constexpr int tried_starts = 200;
 int count_far_starts(const motion::PoseBank& bank, const DrawWalk& draw, DistanceTimes times,
                      double least_start_m);
 
+// How many of the walks of the set themselves begin so far away, too.
+int count_far_examples(const motion::PoseBank& bank, DistanceTimes times, double least_start_m);
+
 struct DrawRules {
   int draws = 30;            // so many walks
   int kept = 5;              // of which those that differ most are kept
@@ -48,8 +52,9 @@ struct DrawRules {
   DistanceTimes times = DistanceTimes::time;
 };
 
-// The kept ones: first the one that is farthest from the start, then again and again the one
-// whose nearest neighbour among them is farthest in D; at last they are shuffled.
+// The kept ones, no walk twice as long as the source has others: first the one that is farthest
+// from the start, then again and again the one whose nearest neighbour among them is farthest in D;
+// at last they are shuffled.
 std::vector<Eigen::VectorXd> draw_targets(const motion::PoseBank& bank, const DrawWalk& draw,
                                           const DrawRules& rules, Rng& rng);
 

@@ -105,6 +105,14 @@ std::vector<Target> read_targets_csv(const std::string& file, std::string_view t
   return Reader(file, motions).read(text);
 }
 
+bool is_about_motions(std::string_view text, const std::vector<std::string>& motions) {
+  const std::vector<CsvRow> rows = parse_csv(text);
+  if (rows.empty()) return false;
+  return std::all_of(rows[0].cells.begin(), rows[0].cells.end(), [&](const std::string& cell) {
+    return cell == "name" || std::find(motions.begin(), motions.end(), cell) != motions.end();
+  });
+}
+
 std::string targets_csv(const std::vector<Target>& targets,
                         const std::vector<std::string>& motions) {
   std::string text = "name";

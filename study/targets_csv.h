@@ -15,6 +15,9 @@ namespace promenade::study {
 std::vector<Target> read_targets_csv(const std::string& file, std::string_view text,
                                      const std::vector<std::string>& motions);
 
+// Does every column but `name` stand for one of these motions?
+bool is_about_motions(std::string_view text, const std::vector<std::string>& motions);
+
 // The same table of the targets that have weights, of every motion. Numbers come back as they
 // are.
 std::string targets_csv(const std::vector<Target>& targets,

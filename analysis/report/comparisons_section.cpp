@@ -9,6 +9,7 @@ namespace promenade::analysis {
 Section comparisons_section(const Results& results) {
   Section section;
   section.title = "Interfaces compared";
+  if (results.data.interfaces.empty()) return {};
   if (results.data.interfaces.size() < 2) {
     section.html = element("p", "Only one interface was used, so there is no pair to compare.");
     return section;

@@ -68,6 +68,7 @@ Table descriptives(const Results& results) {
 }  // namespace
 
 Section descriptives_section(const Results& results) {
+  if (results.data.trials.empty()) return {};
   Section section;
   section.title = "Each interface by itself";
   for (int task = 0; task < size_of(results.data.tasks); ++task) {

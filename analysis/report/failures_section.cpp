@@ -200,6 +200,7 @@ Table omnibus_rows(const Results& results) {
 }  // namespace
 
 Section failures_section(const Results& results) {
+  if (results.data.trials.empty()) return {};
   Section section;
   section.title = "Failures";
   for (int task = 0; task < size_of(results.data.tasks); ++task) {

@@ -186,9 +186,18 @@ std::string program(const Results& results) {
       results.log.study, results.log.version, listed(versions), results.log.sha256);
 }
 
+// Where walks were only rated, there is no trial of an interface to speak of.
+std::string ratings(const Results& results) {
+  return fmt::format("They rated walks of a set, {} in all. [Say on which questions.]",
+                     count_of(results.rated_walks, "rating", "ratings"));
+}
+
 }  // namespace
 
 std::vector<std::string> methods_draft(const Results& results) {
+  if (results.data.trials.empty()) {
+    return {participants(results), ratings(results), program(results)};
+  }
   return {participants(results), design(results) + adjectives(results), measures(results),
           tests(results), program(results)};
 }

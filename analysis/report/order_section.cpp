@@ -175,6 +175,7 @@ HtmlTable shown_carry_over(const Results& results) {
 }  // namespace
 
 Section order_section(const Results& results) {
+  if (results.data.trials.empty()) return {};
   Section section;
   section.title = "Order and learning";
   for (const std::string& one : results.order.sentences) section.html += element("p", one);

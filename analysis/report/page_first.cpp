@@ -276,6 +276,12 @@ Html headline(const Results& results) {
     html += first ? element("h1", sentence) : element("p", {{"class", "second"}}, text(sentence));
     first = false;
   }
+  if (first) {
+    html += element("h1", fmt::format("{} rated walks, {} in all; nothing was made with an "
+                                      "interface.",
+                                      count_of(size_of(results.data.people), "person", "people"),
+                                      count_of(results.rated_walks, "rating", "ratings")));
+  }
   for (const std::string& caveat : caveats(results)) {
     html += element("p", {{"class", "caveat"}}, text(caveat));
   }

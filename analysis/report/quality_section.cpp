@@ -96,6 +96,7 @@ std::string sentence_on(const Results& results) {
 }  // namespace
 
 Section quality_section(const Results& results) {
+  if (results.data.trials.empty()) return {};
   Section section;
   section.title = "Data quality";
   const Table counts = count_table(results);

@@ -7,6 +7,7 @@ namespace promenade::analysis {
 
 // What was registered beforehand, and what was done otherwise; with `report --prereg` only.
 Section prereg_section(const Results& results);
+Section published_section(const Results& results);     // beside the paper that it repeats
 Section comparisons_section(const Results& results);   // one value per participant
 Section process_section(const Results& results);       // the same of how people worked
 Section descriptives_section(const Results& results);  // each interface by itself

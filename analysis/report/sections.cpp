@@ -7,6 +7,7 @@ std::vector<Section> sections_of(const Results& results) {
   std::vector<Section> sections;
   for (const auto& section : {
            prereg_section,
+           published_section,
            // What came out.
            comparisons_section,
            omnibus_section,

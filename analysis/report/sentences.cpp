@@ -7,6 +7,7 @@
 
 #include "analysis/format.h"
 #include "analysis/item.h"
+#include "study/outline.h"
 
 namespace promenade::analysis {
 namespace {
@@ -96,6 +97,31 @@ std::string how_many_differ(const std::vector<const Comparison*>& pairs) {
                                    [](const Comparison* pair) { return is_significant(*pair); });
   const int family = pairs[0]->family;
   return family > 1 ? fmt::format(" {} of {} pairs differ.", count, family) : "";
+}
+
+// Targets that were made with the parameters of one interface are easy for that one
+// (docs/methods.md, 3). Names of the interfaces of this type.
+std::string uses_of(const study::Outline& outline, const std::string& type) {
+  std::string names;
+  for (std::size_t i = 0; i < std::min(outline.types.size(), outline.interfaces.size()); ++i) {
+    if (outline.types[i] != type) continue;
+    names += (names.empty() ? "" : ", ") + outline.interfaces[i];
+  }
+  return names;
+}
+
+void add_favoured(const Results& results, std::vector<std::string>& sentences) {
+  const study::Outline outline = study::outline_of(results.log.config_text);
+  if (outline.interfaces.size() < 2) return;
+  for (const study::OutlinedDraw& draw : outline.draws) {
+    const bool sliders = draw.model == "adjectives" || draw.model == "features";
+    const std::string names = sliders ? uses_of(outline, draw.model) : "";
+    if (names.empty()) continue;
+    sentences.push_back(fmt::format(
+        "The targets of task {} were drawn as random settings of the sliders of {}, so that its "
+        "sliders can always reach them: this favours {}.",
+        draw.task, draw.model, names));
+  }
 }
 
 }  // namespace
@@ -193,6 +219,7 @@ std::vector<std::string> caveats(const Results& results) {
         count_of(results.log.repeated_sessions, "session stands", "sessions stand") +
         " in more than one file; each was taken from the first.");
   }
+  add_favoured(results, sentences);
   return sentences;
 }
 

@@ -171,7 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Broken{"[{ random = 'weigths', count = 2 }]",
                "toy.toml:13:23: error: \"random\" is \"weigths\", but must be one of "
-               "\"adjectives\", \"features\", \"weights\", \"pca\"; did you mean \"weights\"?"},
+               "\"adjectives\", \"features\", \"weights\", \"pca\", \"examples\"; did you mean "
+               "\"weights\"?"},
         Broken{"[{ random = 'weights' }]", "toy.toml:13:12: error: \"count\" is missing here"},
         Broken{"[{ random = 'weights', count = 0 }]",
                "toy.toml:13:42: error: \"count\" is 0, but must be from 1 to 100"},
@@ -187,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                "or a control character, and not begin with a dot"},
         Broken{"[{ radnom = 'weights', count = 2 }]",
                "toy.toml:13:12: error: a target needs one of \"example\", \"weights\", \"random\", "
-               "\"file\"\n"
+               "\"file\", \"all\"\n"
                "toy.toml:13:14: error: unknown key \"radnom\"; did you mean \"random\"?\n"
                "toy.toml:13:34: error: unknown key \"count\""},
         Broken{"[{ name = 'r1', example = 'far' }, { random = 'weights', count = 1, name = 'r' }]",
@@ -302,6 +303,81 @@ TEST(Participants, AreCountedWithTheListsOfTargets) {
                                      "are"),
             std::string::npos)
       << warnings[0].message;
+}
+
+TEST(ExamplesByLot, AreWalksOfTheSetUnderTheirOwnNamesAndNoneTwice) {
+  std::string text = toy::study_text();
+  text.replace(text.find("threshold = \"auto\""), 18, "threshold = 0.01");
+  const std::string old = "{ example = \"far\" }";
+  text.replace(text.find(old), old.size(), "{ random = 'examples', count = 2, draw = 9 }");
+  const StudyBundle bundle = toy::bundle(text);
+  const auto& targets = bundle.study.tasks[0].targets;
+  ASSERT_EQ(targets.size(), 2U);
+  EXPECT_NE(targets[0].name, targets[1].name);
+  for (const Target& target : targets) {
+    const int cycle = motion::find_cycle(bundle.space.set, target.name);
+    ASSERT_GE(cycle, 0) << target.name;
+    EXPECT_EQ((*target.weights)(cycle), 1);
+  }
+}
+
+TEST(ExamplesByLot, AreNumberedWhereEachPersonGetsOthers) {
+  const StudyBundle bundle =
+      bundle_of("[{ random = 'examples', count = 1, per = 'participant', name = 'walk' }]");
+  EXPECT_EQ(names_of(bundle.study.tasks[0].targets), std::vector<std::string>{"walk1"});
+}
+
+TEST(ExamplesByLot, AreRefusedWhereTheSetHasFewer) {
+  EXPECT_NE(problems_of("[{ random = 'examples', count = 4 }]").find("4 walks of the set"),
+            std::string::npos);
+}
+
+TEST(AllExamples, AreTheWalksOfTheSetInItsOrder) {
+  const StudyBundle bundle = bundle_of("[{ all = true }]");
+  const auto& targets = bundle.study.tasks[0].targets;
+  EXPECT_EQ(names_of(targets), motion::names_of(bundle.space.set));
+  EXPECT_EQ(*targets[1].weights, Eigen::VectorXd::Unit(3, 1));
+}
+
+TEST(AllExamples, AreTrueOrLeftOutAndStandAlone) {
+  EXPECT_NE(problems_of("[{ all = false }]").find("\"all\" is true"), std::string::npos);
+  EXPECT_NE(problems_of("[{ all = 3 }]").find("all"), std::string::npos);
+  EXPECT_NE(problems_of("[{ all = true, example = 'far' }]").find("a target needs one of"),
+            std::string::npos);
+  EXPECT_NE(problems_of("[{ all = true, name = 'x' }]").find("name"), std::string::npos);
+}
+
+constexpr const char* kept = "[{ random = 'weights', count = 2, kept_in = 'kept.csv' }]";
+constexpr const char* kept_file = "name,near,far\none,1,0\ntwo,0.25,0.75\n";
+
+TEST(KeptDraws, ComeFromTheirFileWhichIsPartOfTheStudy) {
+  const StudyBundle bundle = bundle_of(kept, kept_file);
+  const auto& targets = bundle.study.tasks[0].targets;
+  EXPECT_EQ(names_of(targets), (std::vector<std::string>{"one", "two"}));
+  EXPECT_EQ((*targets[1].weights)(motion::find_cycle(bundle.space.set, "far")), 0.75);
+  const auto is_file = [](const StudyPart& part) { return part.path == "kept.csv"; };
+  EXPECT_TRUE(std::any_of(bundle.parts.begin(), bundle.parts.end(), is_file));
+  EXPECT_TRUE(bundle.warnings.empty());
+}
+
+TEST(KeptDraws, OfAnotherSetAreDrawnAnewWithAWarning) {
+  const StudyBundle bundle = bundle_of(kept, "name,happy,sad\none,1,0\ntwo,0,1\n");
+  EXPECT_EQ(names_of(bundle.study.tasks[0].targets),
+            (std::vector<std::string>{"weights1", "weights2"}));
+  ASSERT_EQ(bundle.warnings.size(), 1U);
+  EXPECT_NE(bundle.warnings[0].message.find("drawn anew"), std::string::npos);
+}
+
+TEST(KeptDraws, AreRefusedWhereFileAndStudyDisagree) {
+  EXPECT_NE(problems_of(kept, "name,near\none,1\n").find("holds 1 targets, but \"count\" is 2"),
+            std::string::npos);
+  EXPECT_NE(problems_of(kept).find("cannot use the targets \"kept.csv\""), std::string::npos);
+  EXPECT_NE(problems_of(kept, "name,near\none,1\ntwo,0.5\n").find("sum"), std::string::npos);
+  const std::string each_kept =
+      "[{ random = 'weights', count = 2, kept_in = 'kept.csv', per = 'participant' }]";
+  EXPECT_NE(problems_of(each_kept, kept_file).find("for each participant"), std::string::npos);
+  EXPECT_NE(problems_of("[{ random = 'weights', count = 2, kept_in = 3 }]").find("kept_in"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -32,6 +32,20 @@ TEST(Outline, KnowsGuessesAndTheOrderOfTheInterfaces) {
   EXPECT_EQ(outline_of("").order, "");
 }
 
+TEST(Outline, KnowsTypesThePublishedStudyAndWhatIsDrawn) {
+  const Outline outline = outline_of(
+      "[study]\npublished = \"oshita-2018\"\n[[interface]]\nname = \"a list\"\ntype = "
+      "\"labels\"\n[[interface]]\nname = \"map\"\n"
+      "[[task]]\nname = \"make\"\ntargets = [{ random = \"adjectives\" }, { example = \"sad\" }, "
+      "{ random = \"adjectives\", name = \"b\" }]\n"
+      "[[task]]\nname = \"rate\"\nkind = \"rate\"\ntargets = [{ random = \"pca\" }]\n");
+  EXPECT_EQ(outline.types, (std::vector<std::string>{"labels", "map"}));
+  EXPECT_EQ(outline.published, "oshita-2018");
+  ASSERT_EQ(outline.draws.size(), 1U);
+  EXPECT_EQ(outline.draws[0].task, "make");
+  EXPECT_EQ(outline.draws[0].model, "adjectives");
+}
+
 TEST(Outline, OfWhatIsNoStudyIsEmpty) {
   for (const char* text : {"", "interface = 3", "[[interface]]\nname = 3", "{{{", "\xff\xfe"}) {
     EXPECT_TRUE(outline_of(text).interfaces.empty()) << text;

@@ -38,7 +38,8 @@ TEST(FarthestPoints, TakesNoPointTwiceWhereAllAreOne) {
 }
 
 TEST(WalkSources, GiveWeightsThatSumToOneAndFollowFromTheGenerator) {
-  for (const DrawModel model : {DrawModel::features, DrawModel::weights, DrawModel::pca}) {
+  for (const DrawModel model :
+       {DrawModel::features, DrawModel::weights, DrawModel::pca, DrawModel::examples}) {
     const DrawWalk draw = source(model);
     Rng one(4, 1, "draw");
     Rng two(4, 1, "draw");

@@ -40,6 +40,9 @@ std::optional<Figure> map_heat(const Results& results, int task);
 // How alike the motions of the set are, of the whole study (dendrogram.cpp).
 std::optional<Figure> dendrogram(const Results& results);
 
+// Of a study that repeats [O] 6, its Figures 7 to 11 come first and say so (printed_first.cpp).
+void put_printed_first(const Results& results, std::vector<Figure>& figures);
+
 // Names of files and words that the kinds share (kinds.cpp).
 std::string figure_name(const Results& results, int task, const std::string& what);
 std::string in_task(const Results& results, int task);  // " in task NAME", if there are several

@@ -230,5 +230,32 @@ TEST(Figures, DrawRaincloudsOfPeopleWhoAllDidTheSame) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("figures/d_final.svg")));
 }
 
+TEST(Figures, OfTheStudyOf2018ComeInThePrintedOrderFirst) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    study::Statement row(log.database(), "UPDATE study SET config_text = ?");
+    row.bind(1, std::string("[study]\npublished = \"oshita-2018\"\n[[task]]\nname = "
+                            "\"guess\"\nkind = \"guess\"\n[[task]]\nname = \"match\"\n"))
+        .run();
+    for (int i = 1; i <= 6; ++i) {
+      log.session({"P" + std::to_string(i)});
+      for (const char* interface : {"labels", "weights"}) {
+        for (const char* task : {"guess", "match"}) {
+          log.trial({interface, "happy", 10.0 + i, 0.02, "done", task, false, 300, 0.05});
+        }
+      }
+    }
+  }
+  const auto figures = figures_of(results_of(folder));
+  const std::vector<std::string> all = names(figures);
+  EXPECT_EQ(std::vector<std::string>(all.begin(), all.begin() + 5),
+            (std::vector<std::string>{"d_final_by_target-1-guess", "guessed-1-guess",
+                                      "time_s_by_target-2-match", "time_s_to_reference-2-match",
+                                      "failures-2-match"}));
+  EXPECT_NE(figures[4].caption.find("As Figure 11 of [O]."), std::string::npos);
+  EXPECT_EQ(figures[5].caption.find("As Figure"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace promenade::analysis

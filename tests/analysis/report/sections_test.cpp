@@ -237,5 +237,95 @@ TEST(ComparisonTable, HasOnlyPairsThatATaskAllows) {
   for (const auto& row : table.rows) EXPECT_EQ(row[1].find("map"), std::string::npos) << row[1];
 }
 
+void set_config(ToyLog& log, const std::string& text) {
+  study::Statement row(log.database(), "UPDATE study SET config_text = ?");
+  row.bind(1, text).run();
+}
+
+// Each of `people` rated one walk on two pairs of adjectives.
+Results rated(const TestFolder& folder, int people) {
+  {
+    ToyLog log(folder.file("a.db"));
+    set_config(log, "[study]\npublished = \"oshita-questionnaire-a\"\n");
+    for (int i = 1; i <= people; ++i) {
+      log.session({"P" + std::to_string(i)}).trial({"", "happy", 20, {}, "done", "rate"});
+      log.answer("slow-fast", 2).answer("dark-bright", i % 2);
+    }
+  }
+  return results_of(folder);
+}
+
+TEST(Sections, HoldWhereWalksWereOnlyRated) {
+  const TestFolder folder;
+  const Results results = rated(folder, 3);
+  EXPECT_TRUE(results.data.trials.empty());
+  EXPECT_EQ(results.rated_walks, 3);
+  expect_numbers(results);
+  EXPECT_TRUE(comparisons_section(results).title.empty());
+}
+
+int count(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+// In each table, a row has as many cells as there are headings.
+void expect_whole_tables(const std::string& html) {
+  for (std::size_t at = html.find("<table"); at != html.npos; at = html.find("<table", at + 1)) {
+    const std::string table = html.substr(at, html.find("</table>", at) - at);
+    const int columns = count(table, "scope=\"col\"");
+    for (std::size_t row = table.find("<tr"); row != table.npos; row = table.find("<tr", row + 1)) {
+      const std::string cells = table.substr(row, table.find("</tr>", row) - row);
+      EXPECT_EQ(count(cells, "<td") + count(cells, "<th"), columns) << cells;
+    }
+  }
+}
+
+TEST(PublishedSection, ShowsKeptPairsBesideTheirPrint) {
+  const TestFolder folder;
+  const Section section = published_section(rated(folder, 3));
+  expect_whole_tables(section.html.code);
+  EXPECT_EQ(section.title, "Printed in the paper, and this run");
+  const auto& json = section.json["published"];
+  EXPECT_EQ(json["study"], "oshita-questionnaire-a");
+  EXPECT_EQ(json["pairs"].size(), 41U);
+  EXPECT_EQ(json["pairs"][0]["pair"], "slow-fast");
+  EXPECT_EQ(json["pairs"][0]["kept"], 1) << "2 of all three";
+  EXPECT_EQ(json["pairs"][0]["extreme"], 2);
+  EXPECT_EQ(json["pairs"][0]["sigma"], 0);
+  EXPECT_EQ(json["pairs"][0]["cluster_in_print"], "quickness");
+  EXPECT_EQ(json["pairs"][16]["pair"], "dark-bright");
+  EXPECT_EQ(json["pairs"][16]["kept"], 0) << "2/3 is never extreme";
+  EXPECT_TRUE(json["pairs"][1]["kept"].is_null()) << "nobody rated it";
+  EXPECT_EQ(json["kept"], 1);
+  EXPECT_EQ(json["kept_in_both"], 1);
+  EXPECT_EQ(section.tables.size(), 2U);
+}
+
+TEST(PublishedSection, IsNotThereWithoutAPublishedStudy) {
+  const TestFolder folder;
+  fill_three(folder, 3);
+  EXPECT_TRUE(published_section(results_of(folder)).title.empty());
+}
+
+TEST(PublishedSection, CountsTestsOnBothSides) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 13, 0.001);
+    set_config(log,
+               "[study]\npublished = \"oshita-2018\"\n[[interface]]\nname = \"labels\"\n"
+               "type = \"adjectives\"\n[[interface]]\nname = \"weights\"\n[[task]]\nname = "
+               "\"match\"\nkind = \"guess\"\n");
+  }
+  const std::string page = published_section(results_of(folder)).html.code;
+  EXPECT_NE(page.find("D of the guess: of 15 tests of single targets 11 are significant in print "
+                      "and 1 in this run; 0 have the same answer."),
+            std::string::npos)
+      << page;
+  expect_whole_tables(page);
+}
+
 }  // namespace
 }  // namespace promenade::analysis

@@ -108,5 +108,31 @@ TEST(Sentences, CountMissingTrialsInGoodGrammar) {
             "2 trials were skipped, aborted or cut off and count as missing.");
 }
 
+// What the first page says of a study whose targets come from `model`, with the interfaces
+// "words" (adjectives) and "weights".
+std::vector<std::string> caveats_on(const std::string& model) {
+  const TestFolder folder;
+  {
+    ToyLog log(folder.file("a.db"));
+    fill(log, 12, 0.001);
+    study::Statement row(log.database(), "UPDATE study SET config_text = ?");
+    row.bind(1,
+             "[[interface]]\nname = \"words\"\ntype = \"adjectives\"\n[[interface]]\nname = "
+             "\"weights\"\n[[task]]\nname = \"match\"\ntargets = [{ random = \"" +
+                 model + "\", count = 1 }]\n")
+        .run();
+  }
+  return caveats(compute_results({folder.file("a.db")}, {}));
+}
+
+TEST(Sentences, SayWhomDrawnTargetsFavour) {
+  EXPECT_EQ(caveats_on("adjectives"),
+            std::vector<std::string>{
+                "The targets of task match were drawn as random settings of the sliders of "
+                "adjectives, so that its sliders can always reach them: this favours words."});
+  EXPECT_TRUE(caveats_on("features").empty()) << "no interface has these sliders";
+  EXPECT_TRUE(caveats_on("pca").empty());
+}
+
 }  // namespace
 }  // namespace promenade::analysis
