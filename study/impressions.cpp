@@ -93,13 +93,27 @@ Eigen::MatrixXd meant(std::string_view builtin) {
   return felt;
 }
 
+// Emotions at three speeds and styles in three families: of either alone hardly anything follows
+// for the walks of the other.
+motion::Ridge learned() {
+  Eigen::MatrixXd features(motion::feature_count, 0);
+  Eigen::MatrixXd felt(static_cast<Eigen::Index>(readings.size()), 0);
+  for (const char* name : {"B", "N"}) {
+    const Eigen::MatrixXd more = motion::motion_features(*motion::builtin_set(name));
+    features.conservativeResize(Eigen::NoChange, features.cols() + more.cols());
+    features.rightCols(more.cols()) = more;
+    felt.conservativeResize(Eigen::NoChange, features.cols());
+    felt.rightCols(more.cols()) = meant(name);
+  }
+  return motion::fit_ridge(features, felt);
+}
+
 // What a pair adds up to cannot go on for ever where features lie outside those it was learned
 // from.
 constexpr double furthest = 4;
 
 Eigen::MatrixXd predicted(const motion::MotionSet& set) {
-  static const motion::Ridge ridge =
-      motion::fit_ridge(motion::motion_features(*motion::builtin_set("B")), meant("B"));
+  static const motion::Ridge ridge = learned();
   Eigen::MatrixXd felt =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(readings.size()), set.size());
   if (set.key_phases.size() < 2) return felt;  // no step to measure

@@ -24,7 +24,8 @@ double doubt_about(int pair);
 std::string_view pair_name(int pair);
 
 // 41 x N: felt_of each walk. `builtin`: the name of the built-in set ("A") that it may be. Of any
-// other set they are told from its features by ridge regression on the walks of `builtin:B`.
+// other set they are told from its features by ridge regression on the walks of `builtin:B` and
+// `builtin:N`.
 Eigen::MatrixXd impressions_of(const motion::MotionSet& set, std::string_view builtin);
 
 // The pair that an item asks for: one of the 41, or one of the short form's four names

@@ -99,11 +99,11 @@ void add_simulate_command(CLI::App& program) {
   command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
       ->check(CLI::Range(1, 256));
   command
-      ->add_option("--straight-lining", options.straight_lining,
+      ->add_option("--straight-lining", options->straight_lining,
                    "the share of them who answer alike and fast what they rate (0)")
       ->check(CLI::Range(0.0, 1.0));
   command
-      ->add_option("--leaving", options.leaving,
+      ->add_option("--leaving", options->leaving,
                    "the share of pages on which they go on another day, where they can (0)")
       ->check(CLI::Range(0.0, 1.0));
   command->add_flag("--copy", options->copy,

@@ -187,7 +187,13 @@ void put_sheet(Pen& pen, const Sheet& sheet) {
     if (next && leads_on(pen, sheet, first)) follow(pen, pen.y);
     put_item(pen, sheet, place, next);
   }
-  if (pen.draws && !pen.ui.inert) pen.screen.memory.next_open = first ? first->name : "";
+  if (!pen.draws || pen.ui.inert) return;
+  std::string& known = pen.screen.memory.next_open;  // keeps its memory
+  if (first == nullptr) {
+    known.clear();
+  } else if (known != first->name) {
+    known = first->name;
+  }
 }
 
 float height_with(const Pen& pen, const Sheet& sheet) {
