@@ -38,7 +38,7 @@ std::map<std::pair<int, int>, VectorXd> ratings_by_target(const Dataset& data,
     if (!asked) continue;
     for (const study::Target& target : asked->targets) {
       const auto at = std::find(task.targets.begin(), task.targets.end(), target.name);
-      const auto pair = study::asked_pair(model.table, target);
+      const auto pair = study::asked_pair(model.table.pairs, target);
       if (!pair || at == task.targets.end()) continue;
       ratings[{t, static_cast<int>(at - task.targets.begin())}] =
           study::asked_ratings(model, *pair);

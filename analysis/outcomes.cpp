@@ -74,7 +74,7 @@ void put_ratings(const std::string& file, const study::AdjectiveModel& model, co
     const study::Target* target = at == rated.end() ? nullptr : target_of(stored, data, trial);
     if (!target) continue;
     ++known;
-    const auto pair = study::asked_pair(model.table, *target);
+    const auto pair = study::asked_pair(model.table.pairs, *target);
     if (!pair) continue;
     const double mean = study::asked_ratings(model, *pair)(at - rated.begin());
     if (!std::isfinite(mean)) continue;

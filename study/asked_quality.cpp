@@ -20,13 +20,13 @@ Poles poles_of(const std::string& pair) {
 
 }  // namespace
 
-std::optional<AskedPair> asked_pair(const RatingsTable& table, const Target& target) {
+std::optional<AskedPair> asked_pair(const std::vector<std::string>& pairs, const Target& target) {
   const std::string english = text_in(target.quality, "en");
-  for (std::size_t i = 0; i < table.pairs.size(); ++i) {
-    const Poles poles = poles_of(table.pairs[i]);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Poles poles = poles_of(pairs[i]);
     const auto index = static_cast<int>(i);
     if (!target.pair.empty()) {
-      if (target.pair == table.pairs[i]) return AskedPair{index, false};
+      if (target.pair == pairs[i]) return AskedPair{index, false};
       if (target.pair == poles.right + "-" + poles.left) return AskedPair{index, true};
       continue;
     }

@@ -11,13 +11,14 @@
 namespace promenade::study {
 
 struct AskedPair {
-  int pair = 0;       // index into RatingsTable::pairs
+  int pair = 0;       // index into the pairs that were asked about
   bool left = false;  // the asked word is its left pole
 };
 
-// The pair that the study names for this target (`pair`), in either order of its words; else the
-// first one that has the target's name, or its English word, as a pole. Nothing: nobody was asked.
-std::optional<AskedPair> asked_pair(const RatingsTable& table, const Target& target);
+// Of these pairs, "sad-happy" and so on, the one that the study names for this target (`pair`), in
+// either order of its words; else the first that has the target's name, or its English word, as a
+// pole. Nothing: none says anything about it.
+std::optional<AskedPair> asked_pair(const std::vector<std::string>& pairs, const Target& target);
 
 // N: the mean ratings towards the asked word, -2 to 2; NaN where nobody rated.
 Eigen::VectorXd asked_ratings(const AdjectiveModel& model, const AskedPair& asked);

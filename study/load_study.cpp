@@ -125,8 +125,10 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
-bool rates_pairs(const Study& study) {
+// Do simulated people have to know how the walks seem?
+bool asks_for_impressions(const Study& study) {
   return std::any_of(study.tasks.begin(), study.tasks.end(), [&](const Task& task) {
+    if (task.kind == TaskKind::find) return true;
     return task.instrument >= 0 &&
            asks_for_pairs(study.instruments[static_cast<std::size_t>(task.instrument)]);
   });
@@ -225,7 +227,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
   if (reader.ok()) warn_of_numbers(root, study);
-  if (reader.ok() && rates_pairs(study)) {
+  if (reader.ok() && asks_for_impressions(study)) {
     bundle.impressions =
         impressions_of(bundle.space.set, motion::builtin_name(study.set).value_or(""));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "study/asked_quality.h"
 #include "study/impressions.h"
 #include "study/simulated_raters.h"
 
@@ -27,7 +28,19 @@ bool contains(const std::string& text, const std::string& part) {
   return !part.empty() && text.find(part) != std::string::npos;
 }
 
-Eigen::VectorXd appeal_of(const Target& target, const motion::MotionSet& set) {
+// Of a quality that is one end of a pair of adjectives: how the walks seem on it.
+std::optional<Eigen::VectorXd> felt_appeal(const Target& target, const Eigen::MatrixXd& felt) {
+  std::vector<std::string> pairs;
+  for (int pair = 0; pair < felt.rows(); ++pair) pairs.emplace_back(pair_name(pair));
+  const auto asked = asked_pair(pairs, target);
+  if (!asked) return std::nullopt;
+  const Eigen::VectorXd towards = (asked->left ? -1 : 1) * felt.row(asked->pair).transpose();
+  return Eigen::VectorXd(0.5 + 0.25 * towards.unaryExpr(&judged).array());
+}
+
+Eigen::VectorXd appeal_of(const Target& target, const StudyBundle& bundle) {
+  if (const auto felt = felt_appeal(target, bundle.impressions)) return *felt;
+  const motion::MotionSet& set = bundle.space.set;
   Eigen::VectorXd appeal(set.size());
   const std::string quality = text_in(target.quality, "en");
   for (int i = 0; i < set.size(); ++i) {
@@ -242,7 +255,7 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   }
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
   if (wanted == nullptr) {
-    trial_.appeal = appeal_of(target, bundle_->space.set);
+    trial_.appeal = appeal_of(target, *bundle_);
     return;
   }
   trial_.target = *wanted;

@@ -5,7 +5,8 @@
 //
 // How it decides: of a handful of things that it could do next it imagines the
 // result, roughly, and does what seems best; then it looks at what came of it. In
-// find tasks every style appeals to the asked quality by a fixed but arbitrary
+// find tasks a walk appeals as it seems on the pair of adjectives that has the asked quality
+// (impressions.h); where none has it, every style appeals to it by a fixed but arbitrary
 // amount, which all simulated people share, and most by a style of that name.
 #pragma once
 

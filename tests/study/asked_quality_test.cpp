@@ -27,32 +27,32 @@ AdjectiveModel model() {
 
 TEST(AskedPair, HasTheNameOfTheQualityAsAPole) {
   const RatingsTable table = model().table;
-  const auto happy = asked_pair(table, asking("happy"));
+  const auto happy = asked_pair(table.pairs, asking("happy"));
   ASSERT_TRUE(happy);
   EXPECT_EQ(table.pairs[static_cast<std::size_t>(happy->pair)], "sad-happy");
   EXPECT_FALSE(happy->left);
-  EXPECT_TRUE(asked_pair(table, asking("sad"))->left);
+  EXPECT_TRUE(asked_pair(table.pairs, asking("sad"))->left);
   Target written = asking("q1");
   written.quality["en"] = "young";
-  EXPECT_EQ(table.pairs[static_cast<std::size_t>(asked_pair(table, written)->pair)], "old-young");
-  EXPECT_FALSE(asked_pair(table, asking("brisk")));
+  EXPECT_EQ(table.pairs[static_cast<std::size_t>(asked_pair(table.pairs, written)->pair)], "old-young");
+  EXPECT_FALSE(asked_pair(table.pairs, asking("brisk")));
 }
 
 TEST(AskedPair, IsTheOneThatTheStudyNames) {
   const RatingsTable table = model().table;
-  const auto turned = asked_pair(table, asking("happy", "young-old"));
+  const auto turned = asked_pair(table.pairs, asking("happy", "young-old"));
   ASSERT_TRUE(turned);
   EXPECT_EQ(table.pairs[static_cast<std::size_t>(turned->pair)], "old-young");
   EXPECT_TRUE(turned->left);
-  EXPECT_FALSE(asked_pair(table, asking("happy", "dim-sharp"))) << "nobody rated it";
+  EXPECT_FALSE(asked_pair(table.pairs, asking("happy", "dim-sharp"))) << "nobody rated it";
 }
 
 TEST(AskedRatings, PointTowardsTheAskedWord) {
   const AdjectiveModel rated = model();
-  const auto sad = asked_pair(rated.table, asking("sad"));
+  const auto sad = asked_pair(rated.table.pairs, asking("sad"));
   const Eigen::VectorXd ratings = asked_ratings(rated, *sad);
   EXPECT_EQ(ratings, Eigen::Vector2d(-1.5, 1));
-  const auto young = asked_pair(rated.table, asking("young"));
+  const auto young = asked_pair(rated.table.pairs, asking("young"));
   EXPECT_TRUE(std::isnan(asked_ratings(rated, *young)(1)));
 }
 
