@@ -1,5 +1,6 @@
 #include "study/adjective_model.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "motion/models/cluster_names.h"
@@ -54,6 +55,25 @@ AdjectiveModel named(AdjectiveModel model, std::vector<PrimaryWords> words) {
   assert(words.size() == model.names.size() && "a name for each cluster");
   for (std::size_t c = 0; c < words.size(); ++c) model.names[c] = text_in(words[c].name, "en");
   model.words = std::move(words);
+  return model;
+}
+
+AdjectiveModel reordered(AdjectiveModel model, const std::vector<std::string>& motions) {
+  assert(motions.size() == model.table.motions.size() && "the same motions");
+  std::vector<int> from, to(motions.size());  // columns, by their new and by their old places
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const auto& old = model.table.motions;
+    const auto found = std::find(old.begin(), old.end(), motions[i]) - old.begin();
+    from.push_back(static_cast<int>(found));
+    to[static_cast<std::size_t>(found)] = static_cast<int>(i);
+  }
+  motion::Quantification& q = model.quantification;
+  for (Eigen::MatrixXd* values : {&q.mean, &q.deviation, &q.scaled, &q.primary}) {
+    *values = Eigen::MatrixXd((*values)(Eigen::all, from));
+  }
+  for (motion::Rating& one : model.table.ratings)
+    one.motion = to[static_cast<std::size_t>(one.motion)];
+  model.table.motions = motions;
   return model;
 }
 

@@ -39,6 +39,10 @@ AdjectiveModel make_adjective_model(RatingsTable table, const std::string& sourc
 // The model with these names; as many as it has clusters. The English ones are its `names`.
 AdjectiveModel named(AdjectiveModel model, std::vector<PrimaryWords> words);
 
+// The model with its motions in this order; they are the same ones. Clusters stay as they are,
+// also where another order of sums would break ties between pairs otherwise.
+AdjectiveModel reordered(AdjectiveModel model, const std::vector<std::string>& motions);
+
 // The names that it has now, in English: to begin with.
 std::vector<PrimaryWords> words_of(const AdjectiveModel& model);
 

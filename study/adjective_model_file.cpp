@@ -30,7 +30,8 @@ class Reader {
     const std::vector<std::string> own = read_motions();
     const auto tables = root_.tables("primary");
     std::vector<PrimaryWords> words = read_words(tables);
-    auto table = read_table(motions.empty() ? own : motions);
+    auto table = read_table(own);
+    if (table && !motions.empty()) compare_motions(table->motions, motions);
     std::optional<AdjectiveModel> model;
     if (table) {
       table->simulated = table->simulated || simulated_;
@@ -39,7 +40,8 @@ class Reader {
     compare(tables, model);
     reader_.finish();
     if (!model) throw InputError(reader_.file(), "holds no ratings");
-    return named(std::move(*model), std::move(words));
+    AdjectiveModel result = named(std::move(*model), std::move(words));
+    return motions.empty() ? result : reordered(std::move(result), motions);
   }
 
  private:
@@ -105,6 +107,20 @@ class Reader {
     } catch (const InputError& error) {
       for (const Problem& problem : error.problems()) add_inner(*section, problem);
       return std::nullopt;
+    }
+  }
+  void compare_motions(const std::vector<std::string>& own,
+                       const std::vector<std::string>& motions) {
+    const auto missing = [](const std::vector<std::string>& names, const std::string& name) {
+      return std::find(names.begin(), names.end(), name) == names.end();
+    };
+    const char* const key = root_.has("motions") ? "motions" : "ratings";
+    for (const std::string& name : own) {
+      if (missing(motions, name))
+        root_.error(key, "the set has no motion \"" + name + "\"" + did_you_mean(name, motions));
+    }
+    for (const std::string& name : motions) {
+      if (missing(own, name)) root_.error(key, "there is no rating of \"" + name + "\"");
     }
   }
   // A problem inside the table, at its place in the file if the table begins on a line of its own.

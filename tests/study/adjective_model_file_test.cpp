@@ -8,6 +8,7 @@
 
 #include "motion/problem.h"
 #include "study/ratings_csv.h"
+#include "study/rng.h"
 
 namespace promenade::study {
 namespace {
@@ -72,6 +73,37 @@ TEST(AdjectiveModelFile, NamesNoRater) {
 TEST(AdjectiveModelFile, IsReadInTheOrderOfTheMotionsOfTheSet) {
   const AdjectiveModel model = read_adjective_model("m.toml", written(), {"far", "side", "near"});
   EXPECT_EQ(model.quantification.primary.row(0), Eigen::RowVector3d(0, 0.5, 1));
+  EXPECT_EQ(model.table.motions, (std::vector<std::string>{"far", "side", "near"}));
+  const auto again = make_adjective_model(model.table, "r.csv", model.options);
+  EXPECT_EQ(again.quantification.mean, model.quantification.mean) << "the ratings moved along";
+}
+
+// Pairs that are equally alike are clustered by the last bits of sums, which depend on the order
+// of the motions.
+TEST(AdjectiveModelFile, HasTheSameClustersInAnyOrderOfTheMotions) {
+  const std::vector<std::string> motions = {"a", "b", "c", "d", "e", "f", "g"};
+  const std::vector<std::string> backward(motions.rbegin(), motions.rend());
+  int read = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Rng rng(seed, 0, "test");
+    std::vector<NamedRating> ratings;
+    for (int pair = 0; pair < 14; ++pair) {
+      for (const std::string& motion : motions) {
+        const double value = static_cast<double>(rng.below(5)) - 2;
+        for (int rater = 0; rater < 3; ++rater) {
+          ratings.push_back({std::to_string(rater), motion, "x" + std::to_string(pair) + "-y",
+                             std::clamp(value + (rater == 0 && value < 2 ? 1 : 0), -2.0, 2.0)});
+        }
+      }
+    }
+    const auto model = make_adjective_model(make_ratings_table(ratings, motions), "r.csv");
+    if (!model.agreement.agrees()) continue;
+    const AdjectiveModel other =
+        read_adjective_model("m.toml", adjective_model_toml(model), backward);
+    EXPECT_EQ(other.quantification.cluster, model.quantification.cluster);
+    ++read;
+  }
+  EXPECT_GT(read, 50);
 }
 
 TEST(AdjectiveModelFile, StaysSimulated) {
@@ -144,8 +176,11 @@ TEST(AdjectiveModelFile, TellsWhereInItsTableAProblemIs) {
 }
 
 TEST(AdjectiveModelFile, OfOtherMotionsIsRefused) {
-  EXPECT_NE(problems(written(), {"near", "far"}).find("the set has no motion \"side\""),
-            std::string::npos);
+  const std::string text = problems(written(), {"near", "far", "sode"});
+  EXPECT_NE(text.find("m.toml:12:11: error: the set has no motion \"side\"; did you mean"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("there is no rating of \"sode\""), std::string::npos) << text;
 }
 
 TEST(AdjectiveModelFile, OfNoBytesIsRefused) { EXPECT_NE(problems(""), ""); }
