@@ -166,7 +166,7 @@ Section published_section(const Results& results) {
   const Published& published = results.published;
   if (!published.study) return {};
   Section section;
-  section.title = "Printed in the paper, and this run";
+  section.title = "Printed / this run";
   section.html = element("p", std::string(published.study->title) + ".");
   section.html += wide_words(statements(published));
   for (const char* measure : {"D of the guess", "time"}) {

@@ -44,7 +44,7 @@ class Published(ProgramTest):
                 with (self.folder / name / "tables" / "published.csv").open(newline="") as file:
                     self.assertEqual(len(list(csv.DictReader(file))), len(published["rows"]))
                 page = (self.folder / name / "report.html").read_text()
-                self.assertIn("Printed in the paper, and this run", page)
+                self.assertIn("Printed / this run", page)
                 self.assertIn("SIMULATED", page)
 
     def test_each_passes_check(self):

@@ -286,7 +286,7 @@ TEST(PublishedSection, ShowsKeptPairsBesideTheirPrint) {
   const TestFolder folder;
   const Section section = published_section(rated(folder, 3));
   expect_whole_tables(section.html.code);
-  EXPECT_EQ(section.title, "Printed in the paper, and this run");
+  EXPECT_EQ(section.title, "Printed / this run");
   const auto& json = section.json["published"];
   EXPECT_EQ(json["study"], "oshita-questionnaire-a");
   EXPECT_EQ(json["pairs"].size(), 41U);

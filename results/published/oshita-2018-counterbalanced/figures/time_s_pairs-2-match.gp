@@ -1,0 +1,32 @@
+# time_s_pairs-2-match
+# gnuplot time_s_pairs-2-match.gp writes time_s_pairs-2-match.svg and time_s_pairs-2-match.pdf again.
+reset
+set encoding utf8
+set datafile separator comma columnheaders commentschars ''
+set minussign
+set key off
+set border 3 lw 0.8 lc rgb '#444444'
+set tics out scale 0.5
+set ytics nomirror
+set grid ytics lc rgb '#dddddd' lw 0.6 dt 1
+set lmargin at screen 0.4299
+set rmargin at screen 0.9647
+set bmargin at screen 0.3077
+set tmargin at screen 0.9231
+set xtics nomirror scale 0.5 offset 0,0.3
+set label 'Difference (s)' at screen 0.6973,0.0615 center
+set xrange [-66.96432740200001:21.901284901999997]
+set xtics 20
+set yrange [0.4:3.6]
+set ytics ('adjectives − features' 3, 'adjectives − weights' 2, 'features − weights' 1) scale 0
+set grid xtics noytics lc rgb '#dddddd' lw 0.6 dt 1
+set arrow from 0, graph 0 to 0, graph 1 nohead dt (6,4) lw 1 lc rgb '#444444'
+set terminal svg size 241,92 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
+set output 'time_s_pairs-2-match.svg'
+plot 'time_s_pairs-2-match.csv' using ($2*1):1:($3*1):($4*1) with xerrorbars pt 0 lw 1.5 lc rgb '#000000', \
+  'time_s_pairs-2-match.csv' using ($6==1 ? $2*1 : 1/0):1 with points pt 5 ps 0.6 lc rgb '#0072b2', \
+  'time_s_pairs-2-match.csv' using ($6==1 ? 1/0 : $2*1):1 with points pt 4 ps 0.6 lw 1.2 lc rgb '#555555'
+set terminal pdfcairo size 8.500cm,3.250cm font 'Noto Sans,8' fontscale 0.75 noenhanced linewidth 1.4
+set output 'time_s_pairs-2-match.pdf'
+replot
+set output
