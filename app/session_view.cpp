@@ -362,6 +362,7 @@ void SessionView::end(const std::string& reason, std::int64_t t_us, study::Actor
 void SessionView::ask_to_close(std::int64_t now_us) {
   settle(now_us);
   if (ended()) return;
+  if (live_.session().left()) return close_left();
   const bool again = memory_.asks_to_end && live_.session().paused();
   const bool can_pause = app::can_pause(live_.session().page().kind) && !live_.failure();
   if (again || !can_pause) return stop(closed_by_hand, now_us, study::Actor::participant);

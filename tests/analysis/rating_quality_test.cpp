@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/analysis/toy_log.h"
 
 namespace promenade::analysis {
