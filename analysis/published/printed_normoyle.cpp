@@ -22,7 +22,7 @@ PrintedStudy study(std::string_view name, std::string_view title) {
   return study;
 }
 
-// Creativity has no printed definition; the claim is compared where a run measures it.
+// Creativity has no printed definition: ours is how far a result is from every example.
 PrintedStudy untimed() {
   PrintedStudy one = study("normoyle-untimed", "Normoyle, the Untimed experiment");
   one.claims = {{"satisfaction with the result is equal", "[N] 6", Claim::equal, map, labels,
@@ -31,7 +31,7 @@ PrintedStudy untimed() {
                  "controls", "satisfaction"},
                 {"fewer clicks with the map", "[N] 6", Claim::a_less, map, labels, "clicks", ""},
                 {"more creative results with the map", "[N] 6", Claim::a_more, map, labels,
-                 "creativity", ""}};
+                 "novelty_m", ""}};
   return one;
 }
 
@@ -39,7 +39,7 @@ PrintedStudy timed() {
   PrintedStudy one = study("normoyle-timed", "Normoyle, the Timed experiment");
   one.counts.push_back({Quantity::limit_s, 45, "[N] 6"});
   one.claims = {
-      {"equal at finding", "[N] 6", Claim::equal, map, labels, "find_score", "", ClaimedTask::find},
+      {"equal at finding", "[N] 6", Claim::equal, map, labels, "asked_quality", "", ClaimedTask::find},
       {"labels come closer when matching", "[N] 6", Claim::a_more, map, labels, "d_final", "",
        ClaimedTask::match}};
   return one;

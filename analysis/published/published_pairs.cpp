@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/item.h"
+#include "motion/models/rand_index.h"
 #include "motion/problem.h"
 #include "study/ratings.h"
 
@@ -57,6 +58,24 @@ void add_run(const study::AdjectiveModel& model, PublishedPair& pair) {
   pair.cluster = item(model.names, cluster);
 }
 
+// Of names, by first appearance.
+int label_of(const std::string& name, std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) names.push_back(name);
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+double alike(const std::vector<PublishedPair>& pairs) {
+  std::vector<std::string> printed_names, names;
+  std::vector<int> printed, found;
+  for (const PublishedPair& pair : pairs) {
+    if (pair.cluster.empty() || pair.cluster_in_print.empty()) continue;
+    printed.push_back(label_of(pair.cluster_in_print, printed_names));
+    found.push_back(label_of(pair.cluster, names));
+  }
+  return motion::adjusted_rand_index(printed, found);
+}
+
 void count(PublishedPairs& result) {
   for (const PublishedPair& pair : result.pairs) {
     const bool kept = pair.fate == PairFate::kept;
@@ -83,7 +102,7 @@ PublishedPairs published_pairs(const Log& log, const SelectionOptions& options,
     for (PublishedPair& pair : result.pairs) add_run(model, pair);
     result.raters = model.table.raters;
     result.clusters = static_cast<int>(model.quantification.primary.rows());
-    // The adjusted Rand index of cluster_in_print and cluster belongs here.
+    result.adjusted_rand = alike(result.pairs);
   } catch (const InputError& error) {
     result.problem = error.problems().front().message;
   }

@@ -13,10 +13,15 @@
 
 namespace promenade::analysis {
 
-// The raters say: near is fast, side neither, far slow.
-inline constexpr const char* toy_ratings =
-    "rater,motion,pair,value\na,near,slow-fast,2\na,side,slow-fast,0\na,far,slow-fast,-1\n"
-    "b,near,slow-fast,2\nb,side,slow-fast,0\nb,far,slow-fast,-1\n";
+// The raters say: near is fast, side neither, far slow. Fewer of them could agree by chance.
+inline std::string toy_ratings() {
+  std::string rows = "rater,motion,pair,value\n";
+  for (int rater = 0; rater < 8; ++rater) {
+    const std::string who = "r" + std::to_string(rater);
+    rows += who + ",near,slow-fast,2\n" + who + ",side,slow-fast,0\n" + who + ",far,slow-fast,-1\n";
+  }
+  return rows;
+}
 
 class MadeTest : public testing::Test {
  protected:
@@ -26,12 +31,13 @@ class MadeTest : public testing::Test {
     study::Cohort cohort;
     cohort.participants = 6;
     study::simulate_cohort(bundle_, study::toy::registry(), store, cohort);
+    blend_with_mix();
     SelectionOptions options;
     options.include_simulated = true;
     results_ = compute_results({folder_.file("a.db")}, options, {}, &study::toy::registry());
   }
   study::StudyBundle load() {
-    std::ofstream(folder_.file("r.csv")) << toy_ratings;
+    std::ofstream(folder_.file("r.csv")) << toy_ratings();
     std::string text = study::toy::study_text();
     text.insert(text.find("seed"), "ratings = \"r.csv\"\n");
     const std::string jolly = "{ name = \"jolly\" }";
@@ -39,6 +45,20 @@ class MadeTest : public testing::Test {
     return study::read_study(
         folder_.file("s.toml"), text, study::toy::registry(),
         [](const std::string&, const std::string&) { return study::toy::motion_set(); });
+  }
+  // Simulated people take the extreme of what is asked; with one interface they end in between.
+  void blend_with_mix() {
+    study::Database database(folder_.file("a.db"), study::Database::Mode::read_write);
+    study::Statement trials(database, "SELECT uuid FROM trial WHERE interface = 'mix'");
+    std::vector<std::string> uuids;
+    while (trials.step()) uuids.push_back(trials.text(0));
+    for (std::size_t i = 0; i < uuids.size(); ++i) {
+      const double share = 0.03 * static_cast<double>(i);
+      const Eigen::Vector3d weights(share, 0.3, 0.7 - share);
+      study::Statement update(database, "UPDATE sample SET weights = ? WHERE trial = ?");
+      update.bind_blob(1, {reinterpret_cast<const char*>(weights.data()), 3 * sizeof(double)});
+      update.bind(2, uuids[i]).run();
+    }
   }
   // What the trial ended with, by a query of its own.
   Eigen::VectorXd weights_of(const Trial& trial) {

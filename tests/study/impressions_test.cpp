@@ -68,7 +68,8 @@ TEST(Impressions, KnowThePairsThatItemsAskFor) {
   EXPECT_EQ(pair_asked_by(item), pair("small-large"));
   item.name = "satisfaction";
   EXPECT_EQ(pair_asked_by(item), -1);
-  item = {.name = "slow-fast", .kind = ItemKind::text};
+  item.name = "slow-fast";
+  item.kind = ItemKind::text;
   EXPECT_EQ(pair_asked_by(item), -1);
 }
 

@@ -151,7 +151,9 @@ struct Stored {
   explicit Stored(bool to_the_end) {
     Store store(file, bundle);
     Player player(bundle);
-    store.begin_session({.participant = "P1"}, player.session.plan());
+    SessionHeader header;
+    header.participant = "P1";
+    store.begin_session(header, player.session.plan());
     rate(player, 100, 2);
     rate(player, 200, 1);
     player.at(300, Back{});
@@ -193,7 +195,9 @@ TEST(Back, IsReplayedAndPassesTheAudit) {
     EXPECT_TRUE(found.differences.empty()) << found.differences[0].what;
     const Session again = replay(stored.bundle, toy::registry(), log);
     EXPECT_EQ(again.ended(), to_the_end);
-    if (!to_the_end) EXPECT_EQ(again.page().trial, 1);
+    if (!to_the_end) {
+      EXPECT_EQ(again.page().trial, 1);
+    }
     EXPECT_EQ(log.trials.size(), to_the_end ? 6U : 4U);
   }
 }

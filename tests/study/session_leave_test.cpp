@@ -92,7 +92,9 @@ TEST(Leave, IsKeptInTheDatabaseWithoutAnInterruption) {
   const StudyBundle bundle = toy::bundle(text_with("true"));
   Store store(folder.file("left.db"), bundle);
   Player player(bundle);
-  store.begin_session({.participant = "P1"}, player.session.plan());
+  SessionHeader header;
+  header.participant = "P1";
+  store.begin_session(header, player.session.plan());
   while (player.session.page().kind != PageKind::instructions) player.at(1, Continue{});
   player.at(10, Leave{});
   store.write(player.records);
