@@ -93,18 +93,23 @@ std::string sentence_on(const Results& results) {
                                 count_of(results.quality.resumptions, "time", "times"));
 }
 
-}  // namespace
-
-Section quality_section(const Results& results) {
-  if (results.data.trials.empty()) return {};
-  Section section;
-  section.title = "Data quality";
+// Of those with an interface.
+void add_trials(const Results& results, Section& section) {
   const Table counts = count_table(results);
   section.html = element("p", sentence_on(results)) + wide(shown_table(results));
   section.json["quality"] = {{"counts", json_rows(counts)},
                              {"resumed_sessions", results.quality.resumed_sessions},
                              {"resumptions", results.quality.resumptions}};
   section.tables = {counts, trial_table(results)};
+}
+
+}  // namespace
+
+Section quality_section(const Results& results) {
+  const bool made = !results.data.trials.empty();
+  Section section;
+  if (made || !results.ratings.motions.empty()) section.title = "Data quality";
+  if (made) add_trials(results, section);
   add_rating_quality(results, section);
   return section;
 }

@@ -16,7 +16,7 @@ set tmargin at screen 0.9533
 set xrange [0.5:2.5]
 set xtics ('map' 1, 'labels' 2) scale 0 nomirror
 set label 'Final D (cm)' at screen 0.0294,0.5327 center rotate by 90
-set yrange [0:14.034192340652764]
+set yrange [0:13.300631165907735]
 set terminal svg size 241,152 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'd_final-2-match.svg'
 plot 'd_final-2-match.csv' using 1:($2*100) with lines lc rgb '#bbbbbb' lw 0.8, \

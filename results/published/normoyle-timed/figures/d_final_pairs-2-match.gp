@@ -15,7 +15,7 @@ set bmargin at screen 0.4444
 set tmargin at screen 0.8889
 set xtics nomirror scale 0.5 offset 0,0.3
 set label 'Difference (cm)' at screen 0.6116,0.0889 center
-set xrange [-0.8640883231054699:2.432454577117615]
+set xrange [-0.16145912472331783:2.852444536778615]
 set xtics 0.5
 set yrange [0.4:1.6]
 set ytics ('map − labels' 1) scale 0

@@ -21,7 +21,7 @@ set label 'map' at screen 0.0941,0.9357 left
 set arrow from screen 0.2047,0.9357 to screen 0.2517,0.9357 nohead dt (10,4) lw 2 lc rgb '#e69f00'
 set label 'labels' at screen 0.2635,0.9357 left
 set xrange [0:45]
-set yrange [0:16.267756385216693]
+set yrange [0:14.190871376789996]
 set terminal svg size 241,175 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'd_over_time-2-match.svg'
 plot 'd_over_time-2-match.csv' using ($2==0 ? $1 : 1/0):($3*100):($5*100) with filledcurves fs transparent solid 0.13 noborder lc rgb '#0072b2', \

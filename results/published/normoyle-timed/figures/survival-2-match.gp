@@ -27,15 +27,15 @@ set label 'Still at it' at screen 0.0176,0.1312 left
 set label 'map' at screen 0.0176,0.0843 left
 set label '85' at screen 0.1647,0.0843 center
 set label '85' at screen 0.3425,0.0843 center
-set label '85' at screen 0.5203,0.0843 center
-set label '79' at screen 0.6980,0.0843 center
-set label '65' at screen 0.8758,0.0843 center
+set label '84' at screen 0.5203,0.0843 center
+set label '81' at screen 0.6980,0.0843 center
+set label '70' at screen 0.8758,0.0843 center
 set label 'labels' at screen 0.0176,0.0373 left
 set label '85' at screen 0.1647,0.0373 center
 set label '85' at screen 0.3425,0.0373 center
-set label '85' at screen 0.5203,0.0373 center
-set label '75' at screen 0.6980,0.0373 center
-set label '63' at screen 0.8758,0.0373 center
+set label '84' at screen 0.5203,0.0373 center
+set label '76' at screen 0.6980,0.0373 center
+set label '64' at screen 0.8758,0.0373 center
 set terminal svg size 241,205 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'survival-2-match.svg'
 plot 'survival-2-match.csv' using ($2==0 ? $1 : 1/0):($3*100) with steps dt 1 lw 2 lc rgb '#0072b2', \

@@ -16,7 +16,7 @@ set tmargin at screen 0.9533
 set xrange [0.5:2.5]
 set xtics ('map' 1, 'labels' 2) scale 0 nomirror
 set label 'Time (s)' at screen 0.0294,0.5327 center rotate by 90
-set yrange [0:20.022092596]
+set yrange [0:25.271125252]
 set terminal svg size 241,152 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'time_s-1-find.svg'
 plot 'time_s-1-find.csv' using 1:($2*1) with lines lc rgb '#bbbbbb' lw 0.8, \

@@ -15,7 +15,7 @@ set bmargin at screen 0.4444
 set tmargin at screen 0.8889
 set xtics nomirror scale 0.5 offset 0,0.3
 set label 'Difference (s)' at screen 0.6116,0.0889 center
-set xrange [-0.28112244:4.966496439999999]
+set xrange [-1.5307341519999995:1.9409569519999992]
 set xtics 1
 set yrange [0.4:1.6]
 set ytics ('map − labels' 1) scale 0

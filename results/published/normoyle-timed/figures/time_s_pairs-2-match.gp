@@ -15,7 +15,7 @@ set bmargin at screen 0.4444
 set tmargin at screen 0.8889
 set xtics nomirror scale 0.5 offset 0,0.3
 set label 'Difference (s)' at screen 0.6116,0.0889 center
-set xrange [-1.0712565519999993:2.092809751999999]
+set xrange [-0.11016188399999997:1.9461932839999996]
 set xtics 0.5
 set yrange [0.4:1.6]
 set ytics ('map − labels' 1) scale 0

@@ -36,7 +36,7 @@ set object rectangle from 69.680,3.800 to 77.680,5.800 fs solid noborder fc rgb 
 set label '10' at 69.680,1.800 center font 'Noto Sans,6'
 set object rectangle from 3.000,9.000 to 87.000,91.926 front fs empty border lc rgb '#777777' lw 0.8
 set label 'map' at 3.000,96.926 left
-set label '85 trials, 15.9 min, 3.7 % beyond the edge' at 3.000,93.626 left tc rgb '#444444' font 'Noto Sans,6'
+set label '85 trials, 15.8 min, 6.8 % beyond the edge' at 3.000,93.626 left tc rgb '#444444' font 'Noto Sans,6'
 set label 'sneaking' at 59.212,57.566 left front font 'Noto Sans,6'
 set label 'prowling' at 59.815,43.415 left front font 'Noto Sans,6'
 set label 'stalking' at 75.690,43.485 left front font 'Noto Sans,6'
@@ -86,7 +86,7 @@ set label 'strutting' at 19.871,85.016 left front font 'Noto Sans,6'
 set label 'rider' at 26.951,79.740 left front font 'Noto Sans,6'
 set object rectangle from 91.000,9.000 to 175.000,91.926 front fs empty border lc rgb '#777777' lw 0.8
 set label 'labels' at 91.000,96.926 left
-set label '85 trials, 15.1 min' at 91.000,93.626 left tc rgb '#444444' font 'Noto Sans,6'
+set label '85 trials, 15.9 min' at 91.000,93.626 left tc rgb '#444444' font 'Noto Sans,6'
 set label 'sneaking' at 147.212,57.566 left front font 'Noto Sans,6'
 set label 'prowling' at 147.815,43.415 left front font 'Noto Sans,6'
 set label 'stalking' at 163.690,43.485 left front font 'Noto Sans,6'

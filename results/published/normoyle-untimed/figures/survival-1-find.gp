@@ -20,20 +20,20 @@ set arrow from screen 0.0353,0.9452 to screen 0.0824,0.9452 nohead dt 1 lw 2 lc 
 set label 'map' at screen 0.0941,0.9452 left
 set arrow from screen 0.2047,0.9452 to screen 0.2517,0.9452 nohead dt (10,4) lw 2 lc rgb '#e69f00'
 set label 'labels' at screen 0.2635,0.9452 left
-set xrange [0:30.002587]
+set xrange [0:35.482999]
 set xtics 10
 set yrange [0:104]
 set label 'Still at it' at screen 0.0176,0.1312 left
 set label 'map' at screen 0.0176,0.0843 left
 set label '85' at screen 0.1647,0.0843 center
-set label '50' at screen 0.4313,0.0843 center
-set label '2' at screen 0.6980,0.0843 center
-set label '0' at screen 0.9646,0.0843 center
+set label '40' at screen 0.3902,0.0843 center
+set label '6' at screen 0.6156,0.0843 center
+set label '2' at screen 0.8411,0.0843 center
 set label 'labels' at screen 0.0176,0.0373 left
 set label '85' at screen 0.1647,0.0373 center
-set label '43' at screen 0.4313,0.0373 center
-set label '4' at screen 0.6980,0.0373 center
-set label '1' at screen 0.9646,0.0373 center
+set label '37' at screen 0.3902,0.0373 center
+set label '11' at screen 0.6156,0.0373 center
+set label '3' at screen 0.8411,0.0373 center
 set terminal svg size 241,205 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'survival-1-find.svg'
 plot 'survival-1-find.csv' using ($2==0 ? $1 : 1/0):($3*100) with steps dt 1 lw 2 lc rgb '#0072b2', \

@@ -20,20 +20,20 @@ set arrow from screen 0.0353,0.9452 to screen 0.0824,0.9452 nohead dt 1 lw 2 lc 
 set label 'map' at screen 0.0941,0.9452 left
 set arrow from screen 0.2047,0.9452 to screen 0.2517,0.9452 nohead dt (10,4) lw 2 lc rgb '#e69f00'
 set label 'labels' at screen 0.2635,0.9452 left
-set xrange [0:162.999155]
+set xrange [0:183.043902]
 set xtics 50
 set yrange [0:104]
 set label 'Still at it' at screen 0.0176,0.1312 left
 set label 'map' at screen 0.0176,0.0843 left
 set label '85' at screen 0.1647,0.0843 center
-set label '50' at screen 0.4101,0.0843 center
-set label '5' at screen 0.6555,0.0843 center
-set label '1' at screen 0.9009,0.0843 center
+set label '52' at screen 0.3832,0.0843 center
+set label '6' at screen 0.6018,0.0843 center
+set label '0' at screen 0.8203,0.0843 center
 set label 'labels' at screen 0.0176,0.0373 left
 set label '85' at screen 0.1647,0.0373 center
-set label '49' at screen 0.4101,0.0373 center
-set label '9' at screen 0.6555,0.0373 center
-set label '0' at screen 0.9009,0.0373 center
+set label '48' at screen 0.3832,0.0373 center
+set label '4' at screen 0.6018,0.0373 center
+set label '1' at screen 0.8203,0.0373 center
 set terminal svg size 241,205 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'survival-2-match.svg'
 plot 'survival-2-match.csv' using ($2==0 ? $1 : 1/0):($3*100) with steps dt 1 lw 2 lc rgb '#0072b2', \

@@ -16,7 +16,7 @@ set tmargin at screen 0.9533
 set xrange [0.5:2.5]
 set xtics ('map' 1, 'labels' 2) scale 0 nomirror
 set label 'Time (s)' at screen 0.0294,0.5327 center rotate by 90
-set yrange [0:116.669919508]
+set yrange [0:103.712912412]
 set terminal svg size 241,152 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'time_s-2-match.svg'
 plot 'time_s-2-match.csv' using 1:($2*1) with lines lc rgb '#bbbbbb' lw 0.8, \

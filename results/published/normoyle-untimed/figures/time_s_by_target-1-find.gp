@@ -20,7 +20,7 @@ set label '' at screen 0.0588,0.9390 point pt 7 ps 0.5 lw 1.2 lc rgb '#0072b2' f
 set label 'map' at screen 0.0941,0.9390 left
 set label '' at screen 0.2282,0.9390 point pt 5 ps 0.5 lw 1.2 lc rgb '#e69f00' front
 set label 'labels' at screen 0.2635,0.9390 left
-set yrange [0:20.533360235303203]
+set yrange [0:27.94471668467809]
 set arrow from 5.5, graph 0 to 5.5, graph 1 nohead lw 0.6 lc rgb '#999999'
 set terminal svg size 241,184 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'time_s_by_target-1-find.svg'

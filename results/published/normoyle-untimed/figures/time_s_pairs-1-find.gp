@@ -15,8 +15,8 @@ set bmargin at screen 0.4444
 set tmargin at screen 0.8889
 set xtics nomirror scale 0.5 offset 0,0.3
 set label 'Difference (s)' at screen 0.6116,0.0889 center
-set xrange [-0.7447197159999981:1.9133411159999991]
-set xtics 0.5
+set xrange [-1.8057551660000009:1.734045265999998]
+set xtics 1
 set yrange [0.4:1.6]
 set ytics ('map − labels' 1) scale 0
 set grid xtics noytics lc rgb '#dddddd' lw 0.6 dt 1

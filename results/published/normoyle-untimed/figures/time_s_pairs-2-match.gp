@@ -15,8 +15,8 @@ set bmargin at screen 0.4444
 set tmargin at screen 0.8889
 set xtics nomirror scale 0.5 offset 0,0.3
 set label 'Difference (s)' at screen 0.6116,0.0889 center
-set xrange [-5.725440332000008:9.020890931999997]
-set xtics 5
+set xrange [-2.1691604439999996:6.026884643999996]
+set xtics 2
 set yrange [0.4:1.6]
 set ytics ('map − labels' 1) scale 0
 set grid xtics noytics lc rgb '#dddddd' lw 0.6 dt 1

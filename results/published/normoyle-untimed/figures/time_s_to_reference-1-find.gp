@@ -18,7 +18,7 @@ set xtics ('happy' 1, 'tired' 2, 'angry' 3, 'nervous' 4, 'powerful' 5, 'all' 6) 
 set label 'Difference (s)' at screen 0.0294,0.5513 center rotate by 90
 set label '' at screen 0.0588,0.9390 point pt 7 ps 0.5 lw 1.2 lc rgb '#0072b2' front
 set label 'map' at screen 0.0941,0.9390 left
-set yrange [-4.6672613471311095:5.175486492785547]
+set yrange [-7.733924444321306:5.116582221990247]
 set arrow from 5.5, graph 0 to 5.5, graph 1 nohead lw 0.6 lc rgb '#999999'
 set arrow from graph 0, first 0 to graph 1, first 0 nohead dt (6,4) lw 1 lc rgb '#444444'
 set terminal svg size 241,184 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'

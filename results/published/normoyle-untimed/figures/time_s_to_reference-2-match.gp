@@ -18,7 +18,7 @@ set xtics ('bodybuilder' 1, 'catwalk' 2, 'freezing' 3, 'gorilla' 4, 'hunchbacked
 set label 'Difference (s)' at screen 0.0294,0.5733 center rotate by 90
 set label '' at screen 0.0588,0.9420 point pt 7 ps 0.5 lw 1.2 lc rgb '#0072b2' front
 set label 'map' at screen 0.0941,0.9420 left
-set yrange [-18.492184644817254:18.648527673400498]
+set yrange [-22.07304113793282:19.75459140645366]
 set arrow from 5.5, graph 0 to 5.5, graph 1 nohead lw 0.6 lc rgb '#999999'
 set arrow from graph 0, first 0 to graph 1, first 0 nohead dt (6,4) lw 1 lc rgb '#444444'
 set terminal svg size 241,194 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
