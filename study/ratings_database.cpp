@@ -18,7 +18,7 @@ namespace {
 constexpr double most = 2;  // of a five-point scale from -2 to 2
 
 constexpr const char* answer_query =
-    "SELECT participant.uuid, trial.target, answer.item, answer.value, answer.instrument, "
+    "SELECT participant.code, trial.target, answer.item, answer.value, answer.instrument, "
     "session.simulated, session.pilot, trial.uuid, session.uuid "
     "FROM answer JOIN trial ON trial.uuid = answer.trial "
     "JOIN session ON session.uuid = answer.session "

@@ -65,7 +65,8 @@ std::vector<Figure> figures_of(const Results& results) {
   };
   const Curves curves = curves_of(results);
   for (int task = 0; task < size_of(results.data.tasks); ++task) {
-    for (const char* measure : {"d_final", "time_s"}) {
+    for (const char* measure : {"d_final", "asked_quality", "time_s"}) {
+      if (results.data.measure(measure) < 0) continue;
       add(each_participant(results, task, measure));
       add(forest(results, task, measure));
       add(means_by_target(results, task, measure));

@@ -21,6 +21,10 @@ std::string advantage(const Measure& measure, double amount) {
   if (measure.name == "clicks" || measure.name == "changes") {
     return "needed " + much + " fewer " + measure.label;
   }
+  if (measure.name == "asked_quality" || measure.name == "rated_quality") {
+    return "found walks with " + much + " less of the asked quality";
+  }
+  if (measure.kind != MeasureKind::rating) return "had " + much + " less " + measure.label;
   return "answered " + much + " lower on “" + measure.label + "”";
 }
 
@@ -178,8 +182,11 @@ std::string sentence_on_measure(const Results& results, int measure, int task) {
 
 std::vector<Spotlight> spotlights(const Results& results) {
   std::vector<Spotlight> found;
-  for (const char* name : {"d_final", "time_s"}) {
+  // What other people say of what was made comes before what a model says of it.
+  const bool rated = results.data.measure("rated_quality") >= 0;
+  for (const char* name : {"d_final", rated ? "rated_quality" : "asked_quality", "time_s"}) {
     const int measure = results.data.measure(name);
+    if (measure < 0) continue;
     for (int task = 0; task < size_of(results.data.tasks); ++task) {
       if (results.summaries_of(measure, task).empty()) continue;
       found.push_back({measure, task});

@@ -22,7 +22,8 @@ std::string sentence_on(const Dataset& data, const Comparison& comparison);
 // several tasks it begins with the name of this one.
 std::string sentence_on_measure(const Results& results, int measure, int task);
 
-// Where the first page looks: D and time of the first task that has them.
+// Where the first page looks: D, the asked quality of what was found, and time, each of the first
+// task that has it.
 struct Spotlight {
   int measure = 0;
   int task = 0;

@@ -11,6 +11,7 @@
 #include "app/print.h"
 #include "app/registry.h"
 #include "motion/files.h"
+#include "study/asked_quality.h"
 #include "study/plan.h"
 #include "study/session_length.h"
 
@@ -118,18 +119,42 @@ std::string task_line(const study::Study& study, const Task& task) {
   return line + "\n";
 }
 
+// Which pair of adjectives scores what is found, and which of its ends.
+std::string qualities_text(const StudyBundle& bundle, const Task& task) {
+  const auto model = study::rated_adjectives(bundle);
+  const std::vector<std::string> pairs = model ? model->table.pairs : std::vector<std::string>();
+  std::string text;
+  for (const study::Target& target : task.targets) {
+    const std::optional<study::AskedPair> asked = study::asked_pair(pairs, target);
+    text += "    quality " + target.name + ": ";
+    if (!asked) {
+      text += "no pair of adjectives scores it\n";
+      continue;
+    }
+    const std::string& pair = pairs[static_cast<std::size_t>(asked->pair)];
+    const std::size_t hyphen = pair.find('-');
+    text += fmt::format("scored as \"{}\", by the ratings of {}\n",
+                        asked->left ? pair.substr(0, hyphen) : pair.substr(hyphen + 1), pair);
+  }
+  return text;
+}
+
 std::string bundle_text(const StudyBundle& bundle, const Report& report) {
   const study::Study& study = bundle.study;
   std::string text = fmt::format("{}: the study \"{}\", version {}, can be run\n", bundle.file,
                                  study.name, study.version);
-  text += fmt::format("  {} interfaces, {} tasks; motion set {} with {} walks, {:.4f} m apart\n",
-                      study.interfaces.size(), study.tasks.size(), study.set,
+  text += fmt::format("  {} interface{}, {} task{}; motion set {} with {} walks, {:.4f} m apart\n",
+                      study.interfaces.size(), study.interfaces.size() == 1 ? "" : "s",
+                      study.tasks.size(), study.tasks.size() == 1 ? "" : "s", study.set,
                       bundle.space.set.size(), study::median_style_distance(bundle.space));
   text += fmt::format(
       "  a session takes about {:.0f} minutes; numbers of participants that are a "
       "multiple of {} are balanced\n",
       std::ceil(report.length.median), study::round_of_design(study));
-  for (const Task& task : study.tasks) text += "  " + task_line(study, task);
+  for (const Task& task : study.tasks) {
+    text += "  " + task_line(study, task);
+    if (task.kind == TaskKind::find) text += qualities_text(bundle, task);
+  }
   return report.targets.empty() ? text : text + targets_text(report.targets);
 }
 

@@ -203,8 +203,10 @@ void print_plain(const StudyBundle& bundle, const std::vector<Plan>& plans,
                  const study::Balance& balance) {
   const Study& study = bundle.study;
   for (const Plan& plan : plans) print_text(trials_text(bundle, plan));
-  print_text(counts_text(study, balance.position, "came in", false));
-  print_text(counts_text(study, balance.carry_over, "came right before", true));
+  if (!study.interfaces.empty()) {
+    print_text(counts_text(study, balance.position, "came in", false));
+    print_text(counts_text(study, balance.carry_over, "came right before", true));
+  }
   for (std::size_t t = 0; t < study.tasks.size(); ++t) {
     if (balance.lists[t].size() > 0) print_text(lists_text(study, t, balance.lists[t]));
     if (balance.ratings[t].size() > 0) print_text(ratings_text(study.tasks[t], balance.ratings[t]));

@@ -97,7 +97,8 @@ void export_set(const std::string& name, const std::string& folder, int times) {
     files.push_back({safe_name(cycle.name, taken) + ".bvh", motion::bvh_text(clip)});
   }
   write_files(folder, files);
-  std::fprintf(stderr, "%d cycles written to %s\n", set.size(), folder.c_str());
+  std::fprintf(stderr, "%d cycles written to %s%s\n", set.size(), folder.c_str(),
+               times > 1 ? fmt::format(", each {} times in a row", times).c_str() : "");
 }
 
 void add_build(CLI::App& set_command) {

@@ -56,8 +56,9 @@ bool draw_code_field(const Screen& screen, float y) {
 void draw_welcome(const Screen& screen) {
   const study::Study& study = screen.bundle.study;
   const std::string& own = study::text_in(study.title, screen.language);
+  const char* const what = study.interfaces.empty() ? "welcome.rating" : "welcome.text";
   const std::string text = screen.texts.with(
-      "welcome.text", {{"count", std::to_string(screen.session.plan().trials.size())}});
+      what, {{"count", std::to_string(screen.session.plan().trials.size())}});
   const bool has_code = participant_code_problem(screen.memory.code.data()).empty();
   bool pressed = false;
   const float below = draw_text_page(screen,
