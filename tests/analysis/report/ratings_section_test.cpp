@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/report/figures.h"
 #include "analysis/report/report_sections.h"
 #include "motion/files.h"
 #include "tests/analysis/toy_log.h"
@@ -194,6 +195,37 @@ TEST_F(RatingsSection, IsNotThereWhereNobodyWasAskedAboutPairs) {
   }
   EXPECT_FALSE(results().rated_pairs);
   EXPECT_TRUE(section().title.empty());
+}
+
+const Figure* pairs_in(const std::vector<Figure>& figures) {
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [](const Figure& one) { return one.name == "dendrogram_pairs"; });
+  return found == figures.end() ? nullptr : &*found;
+}
+
+TEST_F(RatingsSection, HasATreeOfThePairsInItsClusters) {
+  { fill_clusters(*std::make_unique<ToyLog>(files[0]), 6); }
+  Results found = results();
+  found.rated_pairs->model =
+      study::make_adjective_model(found.rated_pairs->model.table, "", {.clusters = 2});
+  const auto figures = figures_of(found);
+  const Figure* tree = pairs_in(figures);
+  ASSERT_TRUE(tree);
+  EXPECT_NE(tree->caption.find("quickness (2)"), std::string::npos) << tree->caption;
+  EXPECT_NE(tree->caption.find("largeness (2)"), std::string::npos);
+  const Table& brackets = tree->data[0];
+  ASSERT_EQ(brackets.rows.size(), 15U) << "three merges of four points and a gap";
+  EXPECT_EQ(std::get<std::int64_t>(brackets.rows[10][4]), 0) << "the last joins both";
+  EXPECT_GT(std::get<std::int64_t>(brackets.rows[0][4]), 0);
+  std::filesystem::create_directories(folder.file("figures"));
+  draw({*tree}, folder.file("figures"));
+  EXPECT_NE(read_file(folder.file("figures/dendrogram_pairs.svg")).find("dull-quick"),
+            std::string::npos);
+}
+
+TEST_F(RatingsSection, HasNoTreeOfOnePair) {
+  { fill_fates(*std::make_unique<ToyLog>(files[0])); }
+  EXPECT_FALSE(pairs_in(figures_of(results())));
 }
 
 }  // namespace
