@@ -43,7 +43,7 @@ std::string fates_of(const AdjectiveModel& model) {
       "no motion is far from neutral (μ* below " + exact_number(model.options.least_extreme) + ")");
   add(found.disagreed,
       "raters differ too much (σ above " + exact_number(model.options.most_deviation) + ")");
-  add(found.unrated, "not every motion was rated");
+  add(found.unrated, "not every motion was rated, or none by two people");
   return words;
 }
 
@@ -56,9 +56,8 @@ std::string alpha_sentence(const KrippendorffAlpha& alpha) {
 // What the permutation test says, and what it is about.
 std::string agreement_sentence(const study::RaterAgreement& found) {
   if (!found.enough()) {
-    return fmt::format(
-        "That is too little agreement for sliders: {} left, and {} needed, one for each slider.",
-        count_of(found.kept, "pair is", "pairs are"), count_of(found.wanted, "is", "are"));
+    return fmt::format("Too few pairs are left for sliders: {}, and {} needed.", found.kept,
+                       count_of(found.wanted, "is", "are"));
   }
   const std::string share =
       fmt::format("on the kept pairs the motions explain {} of the variance within raters",

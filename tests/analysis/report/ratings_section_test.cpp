@@ -83,7 +83,8 @@ TEST_F(RatingsSection, SaysWhichThresholdDropsAPair) {
   EXPECT_NE(found.html.code.find(
                 "4 people rated 2 motions on 4 pairs of adjectives: 1 pair is kept, 1 dropped "
                 "because no motion is far from neutral (μ* below 1), 1 dropped because raters "
-                "differ too much (σ above 0.85), 1 dropped because not every motion was rated."),
+                "differ too much (σ above 0.85), 1 dropped because not every motion was rated, or "
+                "none by two people."),
             std::string::npos)
       << found.html.code;
 }
@@ -91,7 +92,8 @@ TEST_F(RatingsSection, SaysWhichThresholdDropsAPair) {
 TEST_F(RatingsSection, SaysThatTooFewPairsAreLeft) {
   { fill_fates(*std::make_unique<ToyLog>(files[0])); }
   EXPECT_FALSE(json()["agrees"]);
-  EXPECT_NE(section().html.code.find("1 pair is left, and 4 are needed"), std::string::npos);
+  EXPECT_NE(section().html.code.find("Too few pairs are left for sliders: 1, and 4 are needed"),
+            std::string::npos);
 }
 
 TEST_F(RatingsSection, NamesClustersAndHowMuchTheyAreThePrintedOnes) {
