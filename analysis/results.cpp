@@ -98,6 +98,7 @@ Results compute_results(const std::vector<std::string>& databases, const Selecti
   results.flow = flow_of(results.log, results.selection);
   results.quality = quality_of(results.log, results.selection, results.data);
   results.ratings = rating_quality(read_rated_motions(results.log, results.selection));
+  results.rated_pairs = rated_pairs(results.log, results.selection, results.ratings);
   results.deviations = deviations_of(results.log, results.selection);
   results.order = order_effects_of(results.log, results.data);
   results.questionnaires = questionnaire_results(filled.pages, filled.instruments, results.data);

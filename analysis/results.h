@@ -19,6 +19,7 @@
 #include "analysis/quality.h"
 #include "analysis/questionnaire_results.h"
 #include "analysis/rating_quality.h"
+#include "analysis/ratings/rated_pairs.h"
 #include "analysis/regret.h"
 #include "analysis/sensitivity.h"
 #include "analysis/summaries.h"
@@ -45,7 +46,8 @@ struct Results {
   std::vector<Summary> summaries;
   Flow flow;
   Quality quality;
-  RatingQuality ratings;  // of motions
+  RatingQuality ratings;                  // of motions
+  std::optional<RatedPairs> rated_pairs;  // where rate tasks ask pairs of adjectives
   std::vector<Deviation> deviations;
   OrderEffects order;
   std::vector<QuestionnaireResult> questionnaires;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,8 @@ RatingsTable make_ratings_table(const std::vector<NamedRating>& ratings,
 struct RatingSelection {
   bool include_simulated = false, include_pilot = false;
   std::string instrument;  // only answers of this questionnaire; empty: of all
+  // Only of these, by uuid; nothing: of all that the others let through.
+  std::optional<std::set<std::string>> sessions = {};
 };
 
 struct DatabaseRatings {

@@ -49,7 +49,7 @@ Found read_answers(Database& database, const RatingSelection& selection) {
     const std::string pair = row.text(2);
     const bool wanted = selection.instrument.empty() ? motion::find_adjective_pair(pair) >= 0
                                                      : row.text(4) == selection.instrument;
-    if (!wanted) continue;
+    if (!wanted || (selection.sessions && !selection.sessions->contains(row.text(8)))) continue;
     const bool simulated = row.integer(5) != 0;
     if ((simulated && !selection.include_simulated) ||
         (row.integer(6) != 0 && !selection.include_pilot)) {

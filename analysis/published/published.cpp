@@ -134,7 +134,7 @@ Published published_of(const Results& results, const study::StudyBundle* bundle)
   published.study = printed_study(study::outline_of(results.log.config_text).published);
   if (!published.study) return published;
   if (published.study->clusters) {
-    published.pairs = published_pairs(results.log, results.options, published.study->clusters);
+    published.pairs = published_pairs(results.rated_pairs, published.study->clusters);
   }
   add_printed_counts(results, bundle, published);
   add_printed_claims(results, published);

@@ -5,35 +5,12 @@
 
 #include "analysis/item.h"
 #include "motion/models/rand_index.h"
-#include "motion/problem.h"
-#include "study/ratings.h"
 
 namespace promenade::analysis {
 namespace {
 
 using motion::AdjectivePair;
 using motion::PairFate;
-
-// Of several stations each has its own raters.
-study::RatingsTable ratings_in(const Log& log, const SelectionOptions& options) {
-  const study::RatingSelection selection{options.include_simulated, options.include_pilot, ""};
-  std::vector<study::NamedRating> all;
-  bool simulated = false;
-  std::vector<std::string> motions;
-  for (const LoggedFile& file : log.files) {
-    const auto found = study::read_database_ratings(file.file, selection);
-    for (const motion::Rating& one : found.table.ratings) {
-      all.push_back({file.file + ":" + std::to_string(one.rater),
-                     item(found.table.motions, one.motion), item(found.table.pairs, one.pair),
-                     one.value});
-    }
-    simulated = simulated || found.table.simulated;
-    if (motions.empty()) motions = found.table.motions;
-  }
-  study::RatingsTable table = study::make_ratings_table(all, motions);
-  table.simulated = simulated;
-  return table;
-}
 
 std::string name_of(const AdjectivePair& pair) {
   return std::string(pair.left) + "-" + std::string(pair.right);
@@ -87,7 +64,7 @@ void count(PublishedPairs& result) {
 
 }  // namespace
 
-PublishedPairs published_pairs(const Log& log, const SelectionOptions& options,
+PublishedPairs published_pairs(const std::optional<RatedPairs>& rated,
                                AdjectivePair::Cluster AdjectivePair::*printed) {
   PublishedPairs result;
   for (const AdjectivePair& pair : motion::adjective_pairs) {
@@ -97,14 +74,12 @@ PublishedPairs published_pairs(const Log& log, const SelectionOptions& options,
     row.cluster_in_print = std::string(motion::cluster_name(pair.*printed));
     result.pairs.push_back(std::move(row));
   }
-  try {
-    const auto model = study::make_adjective_model(ratings_in(log, options), log.study);
-    for (PublishedPair& pair : result.pairs) add_run(model, pair);
-    result.raters = model.table.raters;
-    result.clusters = static_cast<int>(model.quantification.primary.rows());
+  result.problem = rated ? rated->problem : "nobody who is analysed rated pairs of adjectives";
+  if (result.problem.empty()) {
+    for (PublishedPair& pair : result.pairs) add_run(rated->model, pair);
+    result.raters = rated->model.table.raters;
+    result.clusters = static_cast<int>(rated->model.quantification.primary.rows());
     result.adjusted_rand = alike(result.pairs);
-  } catch (const InputError& error) {
-    result.problem = error.problems().front().message;
   }
   count(result);
   return result;

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "analysis/log.h"
 #include "analysis/published/printed.h"
-#include "analysis/selection.h"
-#include "study/adjective_model.h"
+#include "analysis/ratings/rated_pairs.h"
 
 namespace promenade::analysis {
 
@@ -32,8 +30,8 @@ struct PublishedPairs {
   std::string problem;  // why there are no values; empty: there are
 };
 
-// From the answers in the databases of the log, simulated and pilot sessions as `options` says.
-PublishedPairs published_pairs(const Log& log, const SelectionOptions& options,
+// `rated`: of the analysed people; nothing: none of them rated pairs.
+PublishedPairs published_pairs(const std::optional<RatedPairs>& rated,
                                motion::AdjectivePair::Cluster motion::AdjectivePair::*printed);
 
 }  // namespace promenade::analysis

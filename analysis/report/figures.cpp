@@ -79,6 +79,7 @@ std::vector<Figure> figures_of(const Results& results) {
     add(map_heat(results, task));
   }
   add(dendrogram(results));
+  add(dendrogram_of_pairs(results));
   put_printed_first(results, figures);
   return figures;
 }

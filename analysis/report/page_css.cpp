@@ -89,6 +89,7 @@ table { border-collapse: collapse; font-size: 14.5px; }
 .wide tr.group td, .wide tr.group th { border-top: 1px solid var(--line); }
 .wide tr.strong td, .wide tr.strong th { font-weight: 700; }
 .text th, .text td { text-align: left; white-space: normal; overflow-wrap: anywhere; }
+.text th[scope=row] { min-width: 7em; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; background: #f4f5f6; padding: 10px 14px;
   font-size: 13px; }
 code { font-size: 14px; overflow-wrap: anywhere; }

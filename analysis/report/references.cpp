@@ -94,6 +94,23 @@ References of_times(bool pairs) {
   return list;
 }
 
+References of_ratings() {
+  return {
+      {"how far raters agree, with gaps",
+       "K. Krippendorff (2011). Computing Krippendorff's alpha-reliability. Annenberg School for "
+       "Communication, University of Pennsylvania."},
+      {"the intraclass correlations of raters",
+       "P. E. Shrout, J. L. Fleiss (1979). Intraclass correlations: uses in assessing rater "
+       "reliability. Psychological Bulletin 86, 420-428."},
+      {"their intervals",
+       "K. O. McGraw, S. P. Wong (1996). Forming inferences about some intraclass correlation "
+       "coefficients. Psychological Methods 1, 30-46."},
+      {"the clusters of pairs of adjectives",
+       "J. H. Ward (1963). Hierarchical grouping to optimize an objective function. Journal of the "
+       "American Statistical Association 58, 236-244."},
+  };
+}
+
 }  // namespace
 
 bool tests_failures(const Results& results) {
@@ -114,6 +131,7 @@ std::vector<Reference> references_of(const Results& results) {
   if (!results.omnibus.empty()) add(list, of_omnibus());
   if (tests_failures(results)) add(list, of_failures());
   if (!results.times.empty()) add(list, of_times(pairs));
+  if (results.rated_pairs && results.rated_pairs->problem.empty()) add(list, of_ratings());
   // By surname, which follows the first initials.
   const auto surname = [](const Reference& one) {
     const std::string names = one.text.substr(0, one.text.find_first_of(",("));

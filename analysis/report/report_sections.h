@@ -18,6 +18,7 @@ Section failures_section(const Results& results);
 Section guesses_section(const Results& results);  // first guesses that were right
 Section times_section(const Results& results);
 Section preference_section(const Results& results);
+Section ratings_section(const Results& results);  // of motions, on pairs of adjectives
 Section questionnaires_section(const Results& results);
 Section reach_section(const Results& results);        // what each interface can reach at all
 Section exclusions_section(const Results& results);   // who was left out by hand, and why

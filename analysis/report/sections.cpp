@@ -15,6 +15,7 @@ std::vector<Section> sections_of(const Results& results) {
            guesses_section,
            times_section,
            preference_section,
+           ratings_section,
            questionnaires_section,
            // May it be believed?
            exclusions_section,

@@ -39,6 +39,8 @@ std::optional<Figure> map_heat(const Results& results, int task);
 
 // How alike the motions of the set are, of the whole study (dendrogram.cpp).
 std::optional<Figure> dendrogram(const Results& results);
+// How alike the pairs of adjectives are in what people said, and their clusters (dendrogram.cpp).
+std::optional<Figure> dendrogram_of_pairs(const Results& results);
 
 // Of a study that repeats [O] 6, its Figures 7 to 11 come first and say so (printed_first.cpp).
 void put_printed_first(const Results& results, std::vector<Figure>& figures);
