@@ -19,9 +19,14 @@ bool asks_pairs(const RatedMotion& one) {
   });
 }
 
+// Two people of different files may have one code.
+std::string rater_name(int file, const std::string& code) {
+  return std::to_string(file) + " " + code;
+}
+
 // Who rated pairs, and in which session of which file.
 struct Raters {
-  std::map<std::string, int> people;  // by uuid: index into Dataset::people
+  std::map<std::string, int> people;  // by rater_name: index into Dataset::people
   std::map<std::string, bool> is_simulated;
   std::map<int, Uuids> sessions;  // by file
 };
@@ -38,8 +43,9 @@ Raters raters_of(const Log& log, const Selection& selection, const RatingQuality
     ++person;
     const LoggedSession& session = item(log.sessions, one.session);
     if (!with_pairs.contains(session.uuid)) continue;
-    raters.people[session.participant] = person;
-    raters.is_simulated[session.participant] = session.simulated;
+    const std::string name = rater_name(session.file, session.code);
+    raters.people[name] = person;
+    raters.is_simulated[name] = session.simulated;
     raters.sessions[session.file].insert(session.uuid);
   }
   return raters;
@@ -62,8 +68,8 @@ study::RatingsTable table_of(const Log& log, const Raters& raters) {
     const study::RatingsTable found =
         study::read_database_ratings(item(log.files, file).file, these).table;
     for (const motion::Rating& one : found.ratings) {
-      all.push_back({item(found.rater_names, one.rater), item(found.motions, one.motion),
-                     item(found.pairs, one.pair), one.value});
+      all.push_back({rater_name(file, item(found.rater_names, one.rater)),
+                     item(found.motions, one.motion), item(found.pairs, one.pair), one.value});
     }
     add_motions(found.motions, motions);
     simulated = simulated || found.simulated;
