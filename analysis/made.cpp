@@ -144,10 +144,10 @@ void add_measures_of_made(const Log& log, const study::StudyBundle* stored, Data
   const auto points = points_of(stored->bank, finals);
   if (const auto model = study::rated_adjectives(*stored)) {
     const Values values = asked_quality(data, stored->study, *model, finals);
-    const std::string raters = model->simulated() ? "simulated raters" : "the raters";
+    const std::string label =
+        model->simulated() ? "asked quality (simulated raters)" : "asked quality";
     if (!present(values).empty()) {
-      add({"asked_quality", "asked quality, by " + raters, "", "", 1, 2, MeasureKind::result},
-          values, data);
+      add({"asked_quality", label, "", "", 1, 2, MeasureKind::result}, values, data);
     }
   }
   const std::string of_made = "of what was made: ";

@@ -149,8 +149,8 @@ void add_rated_quality(const SelectionOptions& options, const Log& log, const St
   }
   data.measures.push_back(
       {"rated_quality",
-       std::string("asked quality, rated by ") + (simulated ? "simulated people" : "other people"),
-       "", "", 1, 2, MeasureKind::result});
+       simulated ? "asked quality, rated (simulated)" : "asked quality, rated by others", "", "", 1,
+       2, MeasureKind::result});
   for (std::size_t i = 0; i < data.trials.size(); ++i) {
     data.trials[i].values.push_back(counts[i] > 0 ? std::optional(sums[i] / counts[i])
                                                   : std::nullopt);

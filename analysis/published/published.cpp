@@ -137,6 +137,7 @@ Published published_of(const Results& results, const study::StudyBundle* bundle)
     published.pairs = published_pairs(results.rated_pairs, published.study->clusters);
   }
   add_printed_counts(results, bundle, published);
+  add_printed_sliders(bundle, published);
   add_printed_claims(results, published);
   add_printed_preference(results, published);
   add_printed_tests(results, published);

@@ -15,7 +15,7 @@ namespace promenade::analysis {
 struct Results;
 
 struct PublishedRow {
-  std::string kind;                      // design, test, claim or preference
+  std::string kind;                      // design, clusters, test, claim or preference
   std::string what;                      // "time, adjectives − features"
   std::string target;                    // "target 1", "all"; empty: not about targets
   std::string place;                     // in the source
@@ -44,6 +44,7 @@ Published published_of(const Results& results, const study::StudyBundle* bundle)
 // The parts of it, in the order of the rows.
 void add_printed_counts(const Results& results, const study::StudyBundle* bundle,
                         Published& published);
+void add_printed_sliders(const study::StudyBundle* bundle, Published& published);
 void add_printed_tests(const Results& results, Published& published);
 void add_printed_claims(const Results& results, Published& published);
 void add_printed_preference(const Results& results, Published& published);

@@ -73,6 +73,16 @@ class Published(ProgramTest):
                                "AND d_final < threshold_m").fetchone()[0]
         self.assertEqual(skipped, right, "a right guess is a match at 0 s")
 
+    def test_its_sliders_are_held_against_the_printed_clusters(self):
+        rows = {row["what"]: row["run_words"]
+                for row in self.run_of("oshita-2018", "1")["published"]["rows"]}
+        features = json.loads(self.checked("model", "features", "builtin:B").stdout)
+        pairs = json.loads(self.checked("model", "adjectives", "builtin:B").stdout)
+        for what, found in (("features", features["printed"]["set_b"]),
+                            ("adjectives", pairs["printed"]["set_b"])):
+            self.assertTrue(rows[f"sliders of {what}"].startswith(
+                f"adjusted Rand index {found['rand_index']:.2f}, over {found['count']} "), rows)
+
     def test_another_set_takes_one_line(self):
         for name, reference in (("normoyle-timed", None), ("oshita-questionnaire-b", "normal")):
             text = (SOURCE / "configs" / "studies" / f"{name}.toml").read_text()

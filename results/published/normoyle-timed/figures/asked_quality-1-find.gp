@@ -15,7 +15,7 @@ set bmargin at screen 0.1121
 set tmargin at screen 0.9533
 set xrange [0.5:2.5]
 set xtics ('map' 1, 'labels' 2) scale 0 nomirror
-set label 'Asked quality, by simulated rate…' at screen 0.0294,0.5327 center rotate by 90
+set label 'Asked quality (simulated raters)' at screen 0.0294,0.5327 center rotate by 90
 set yrange [0:1.4266224180025295]
 set terminal svg size 241,152 font 'Noto Sans,8' noenhanced linewidth 0.5 background '#ffffff'
 set output 'asked_quality-1-find.svg'

@@ -15,7 +15,7 @@ set bmargin at screen 0.2056
 set tmargin at screen 0.8970
 set xrange [0.5:6.5]
 set xtics ('happy' 1, 'tired' 2, 'angry' 3, 'nervous' 4, 'powerful' 5, 'all' 6) scale 0 rotate by 45 right nomirror
-set label 'Asked quality, by simulated rate…' at screen 0.0294,0.5513 center rotate by 90
+set label 'Asked quality (simulated raters)' at screen 0.0294,0.5513 center rotate by 90
 set label '' at screen 0.0588,0.9390 point pt 7 ps 0.5 lw 1.2 lc rgb '#0072b2' front
 set label 'map' at screen 0.0941,0.9390 left
 set label '' at screen 0.2282,0.9390 point pt 5 ps 0.5 lw 1.2 lc rgb '#e69f00' front
