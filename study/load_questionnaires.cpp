@@ -7,18 +7,6 @@
 namespace promenade::study {
 namespace {
 
-// Those of the instrument's file at their places, others at the key that names it.
-void add_problems(const TomlTable& table, std::string_view key, const std::string& name,
-                  const InputError& error) {
-  for (const Problem& problem : error.problems()) {
-    if (problem.line > 0) {
-      table.reader().add({problem});
-    } else {
-      table.error(key, "cannot use the instrument \"" + name + "\": " + problem.message);
-    }
-  }
-}
-
 Item read_rating(const TomlTable& table, const Study& study) {
   Item item;
   item.name = table.required_text("item");
@@ -130,7 +118,7 @@ int InstrumentShelf::find(const TomlTable& table, std::string_view key) {
     return known_[*name] =
                add(with_interfaces(std::move(read.instrument), interface_choices(study_, texts_)));
   } catch (const InputError& error) {
-    add_problems(table, key, *name, error);
+    add_file_problems(table, key, "the instrument \"" + *name + "\"", error);
   }
   return known_[*name] = -1;
 }

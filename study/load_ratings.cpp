@@ -62,13 +62,7 @@ void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bu
     if (!refused) judge(section, model.agreement, files.frozen());
     bundle.adjectives = std::make_shared<const AdjectiveModel>(std::move(model));
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems()) {
-      if (problem.line > 0) {
-        root.reader().add({problem});
-      } else {
-        section.error("ratings", "cannot use the ratings \"" + name + "\": " + problem.message);
-      }
-    }
+    add_file_problems(section, "ratings", "the ratings \"" + name + "\"", error);
   }
 }
 

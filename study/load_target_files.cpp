@@ -20,17 +20,6 @@ std::vector<Target> targets_in(const std::string& name, const TomlTable& table,
   return targets;
 }
 
-void report(const TomlTable& table, std::string_view key, const std::string& name,
-            const InputError& error) {
-  for (const Problem& problem : error.problems()) {
-    if (problem.line > 0) {
-      table.reader().add({problem});
-    } else {
-      table.error(key, "cannot use the targets \"" + name + "\": " + problem.message);
-    }
-  }
-}
-
 }  // namespace
 
 std::vector<Target> read_target_file(const TomlTable& table, const StudyContext& context) {
@@ -39,7 +28,7 @@ std::vector<Target> read_target_file(const TomlTable& table, const StudyContext&
   try {
     return targets_in(*name, table, "file", context);
   } catch (const InputError& error) {
-    report(table, "file", *name, error);
+    add_file_problems(table, "file", "the targets \"" + *name + "\"", error);
     return {};
   }
 }
@@ -67,7 +56,7 @@ std::optional<std::vector<Target>> read_kept_targets(const TomlTable& table, int
     }
     return targets;
   } catch (const InputError& error) {
-    report(table, "kept_in", *name, error);
+    add_file_problems(table, "kept_in", "the targets \"" + *name + "\"", error);
     return std::vector<Target>();
   }
 }

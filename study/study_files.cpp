@@ -20,4 +20,15 @@ std::vector<StudyPart> StudyFiles::parts() const {
   return parts;
 }
 
+void add_file_problems(const TomlTable& table, std::string_view key, const std::string& file,
+                       const InputError& error) {
+  for (const Problem& problem : error.problems()) {
+    if (problem.line > 0) {
+      table.reader().add({problem});
+    } else {
+      table.error(key, "cannot use " + file + ": " + problem.message);
+    }
+  }
+}
+
 }  // namespace promenade::study

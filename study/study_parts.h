@@ -74,6 +74,11 @@ std::string read_name(const TomlTable& table);
 // A problem at `key`, from where `name` comes, unless it is such a name.
 void refuse_unsafe_name(const TomlTable& table, std::string_view key, const std::string& name);
 
+// What is wrong with a file that the study names: at its places in that file, else at the key, as
+// "cannot use FILE: ...". `file`: what it is, and its name.
+void add_file_problems(const TomlTable& table, std::string_view key, const std::string& file,
+                       const InputError& error);
+
 // A text of the study's own: key = "words", or key = {en = "words", ja = "言葉"}. Warns
 // about languages of the study that are missing.
 LocalText read_local_text(const TomlTable& table, std::string_view key, const Study& study);
