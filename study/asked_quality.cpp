@@ -3,31 +3,19 @@
 #include <algorithm>
 
 #include "motion/builtin.h"
+#include "motion/models/adjective_pairs.h"
 
 namespace promenade::study {
-namespace {
-
-// The words of "sad-happy"; a word may hold no hyphen.
-struct Poles {
-  std::string left, right;
-};
-
-Poles poles_of(const std::string& pair) {
-  const std::size_t hyphen = pair.find('-');
-  if (hyphen == std::string::npos) return {pair, ""};
-  return {pair.substr(0, hyphen), pair.substr(hyphen + 1)};
-}
-
-}  // namespace
 
 std::optional<AskedPair> asked_pair(const std::vector<std::string>& pairs, const Target& target) {
   const std::string english = text_in(target.quality, "en");
+  const motion::PairWords asked = motion::words_of_pair(target.pair);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Poles poles = poles_of(pairs[i]);
+    const motion::PairWords poles = motion::words_of_pair(pairs[i]);
     const auto index = static_cast<int>(i);
     if (!target.pair.empty()) {
       if (target.pair == pairs[i]) return AskedPair{index, false};
-      if (target.pair == poles.right + "-" + poles.left) return AskedPair{index, true};
+      if (asked.left == poles.right && asked.right == poles.left) return AskedPair{index, true};
       continue;
     }
     for (const std::string& word : {target.name, english}) {

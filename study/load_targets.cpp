@@ -156,7 +156,7 @@ std::vector<std::string> known_pairs(const StudyContext& context) {
   if (model) return model->table.pairs;
   std::vector<std::string> pairs;
   for (const motion::AdjectivePair& pair : motion::adjective_pairs) {
-    pairs.push_back(std::string(pair.left) + "-" + std::string(pair.right));
+    pairs.push_back(motion::pair_name(pair));
   }
   return pairs;
 }
@@ -166,8 +166,8 @@ std::string read_pair(const TomlTable& table, const StudyContext& context) {
   const auto pair = table.text("pair");
   if (!pair) return "";
   const std::vector<std::string> known = known_pairs(context);
-  const std::size_t hyphen = std::min(pair->find('-'), pair->size() - 1);
-  const std::string turned = pair->substr(hyphen + 1) + "-" + pair->substr(0, hyphen);
+  const motion::PairWords words = motion::words_of_pair(*pair);
+  const std::string turned = std::string(words.right) + "-" + std::string(words.left);
   for (const std::string& one : {*pair, turned}) {
     if (std::find(known.begin(), known.end(), one) != known.end()) return *pair;
   }

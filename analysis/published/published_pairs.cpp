@@ -12,10 +12,6 @@ namespace {
 using motion::AdjectivePair;
 using motion::PairFate;
 
-std::string name_of(const AdjectivePair& pair) {
-  return std::string(pair.left) + "-" + std::string(pair.right);
-}
-
 std::optional<double> defined(double value) {
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -35,22 +31,14 @@ void add_run(const study::AdjectiveModel& model, PublishedPair& pair) {
   pair.cluster = item(model.names, cluster);
 }
 
-// Of names, by first appearance.
-int label_of(const std::string& name, std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) names.push_back(name);
-  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-double alike(const std::vector<PublishedPair>& pairs) {
-  std::vector<std::string> printed_names, names;
-  std::vector<int> printed, found;
-  for (const PublishedPair& pair : pairs) {
-    if (pair.cluster.empty() || pair.cluster_in_print.empty()) continue;
-    printed.push_back(label_of(pair.cluster_in_print, printed_names));
-    found.push_back(label_of(pair.cluster, names));
+// Over the pairs that both kept.
+double alike(const study::AdjectiveModel& model, AdjectivePair::Cluster AdjectivePair::*printed) {
+  motion::PrintedClusters clusters;
+  for (const std::string& name : model.kept_pairs) {
+    const auto at = static_cast<std::size_t>(motion::find_adjective_pair(name));
+    clusters.push_back(motion::cluster_name(motion::adjective_pairs[at].*printed));
   }
-  return motion::adjusted_rand_index(printed, found);
+  return motion::compare_with_printed(model.quantification.cluster, clusters).rand_index;
 }
 
 void count(PublishedPairs& result) {
@@ -69,7 +57,7 @@ PublishedPairs published_pairs(const std::optional<RatedPairs>& rated,
   PublishedPairs result;
   for (const AdjectivePair& pair : motion::adjective_pairs) {
     PublishedPair row;
-    row.name = name_of(pair);
+    row.name = motion::pair_name(pair);
     row.kept_in_print = pair.*printed != AdjectivePair::Cluster::none;
     row.cluster_in_print = std::string(motion::cluster_name(pair.*printed));
     result.pairs.push_back(std::move(row));
@@ -79,7 +67,7 @@ PublishedPairs published_pairs(const std::optional<RatedPairs>& rated,
     for (PublishedPair& pair : result.pairs) add_run(rated->model, pair);
     result.raters = rated->model.table.raters;
     result.clusters = static_cast<int>(rated->model.quantification.primary.rows());
-    result.adjusted_rand = alike(result.pairs);
+    result.adjusted_rand = alike(rated->model, printed);
   }
   count(result);
   return result;

@@ -11,6 +11,7 @@
 #include "app/print.h"
 #include "app/registry.h"
 #include "motion/files.h"
+#include "motion/models/adjective_pairs.h"
 #include "study/asked_quality.h"
 #include "study/plan.h"
 #include "study/session_length.h"
@@ -132,9 +133,9 @@ std::string qualities_text(const StudyBundle& bundle, const Task& task) {
       continue;
     }
     const std::string& pair = pairs[static_cast<std::size_t>(asked->pair)];
-    const std::size_t hyphen = pair.find('-');
+    const motion::PairWords words = motion::words_of_pair(pair);
     text += fmt::format("scored as \"{}\", by the ratings of {}\n",
-                        asked->left ? pair.substr(0, hyphen) : pair.substr(hyphen + 1), pair);
+                        asked->left ? words.left : words.right, pair);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include "app/parameter_sliders.h"
 #include "app/parameter_sliders_view.h"
 #include "app/registry.h"
+#include "motion/models/adjective_pairs.h"
 #include "study/adjective_model.h"
 
 namespace promenade::app {
@@ -18,11 +19,10 @@ Words adjective(std::string_view word) {
   return {"adjective." + std::string(word), std::string(word)};
 }
 
-// "slow-fast"; a name without a dash is its own right pole.
 void name_poles(const std::string& pair, SliderParameter& parameter) {
-  const std::size_t dash = pair.find('-');
-  if (dash != std::string::npos) parameter.low = adjective(pair.substr(0, dash));
-  parameter.high = adjective(pair.substr(dash == std::string::npos ? 0 : dash + 1));
+  const motion::PairWords words = motion::words_of_pair(pair);
+  if (!words.left.empty()) parameter.low = adjective(words.left);
+  parameter.high = adjective(words.right);
 }
 
 // The pair whose words stand at the ends of its cluster's slider: the one that runs most

@@ -8,14 +8,21 @@ std::string_view cluster_name(AdjectivePair::Cluster cluster) {
   return names[static_cast<int>(cluster)];
 }
 
+std::string pair_name(const AdjectivePair& pair) {
+  return std::string(pair.left) + "-" + std::string(pair.right);
+}
+
+PairWords words_of_pair(std::string_view name) {
+  const std::size_t hyphen = name.find('-');
+  if (hyphen == std::string_view::npos) return {"", name};
+  return {name.substr(0, hyphen), name.substr(hyphen + 1)};
+}
+
 int find_adjective_pair(std::string_view name) {
-  const std::size_t dash = name.find('-');
-  if (dash == std::string_view::npos) return -1;
+  const PairWords words = words_of_pair(name);
   for (std::size_t i = 0; i < adjective_pairs.size(); ++i) {
     const AdjectivePair& pair = adjective_pairs[i];
-    if (pair.left == name.substr(0, dash) && pair.right == name.substr(dash + 1)) {
-      return static_cast<int>(i);
-    }
+    if (pair.left == words.left && pair.right == words.right) return static_cast<int>(i);
   }
   return -1;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace promenade::motion {
@@ -64,6 +65,15 @@ inline constexpr std::array<AdjectivePair, 41> adjective_pairs = [] {
 
 // "quickness" and so on; "" for none.
 std::string_view cluster_name(AdjectivePair::Cluster cluster);
+
+// "slow-fast": what a pair is called in ratings, models and instruments.
+std::string pair_name(const AdjectivePair& pair);
+
+// The two words of such a name, of the 41 or any other; without a hyphen it is its own right one.
+struct PairWords {
+  std::string_view left, right;
+};
+PairWords words_of_pair(std::string_view name);
 
 // The index of the pair "left-right", or -1.
 int find_adjective_pair(std::string_view name);
