@@ -20,11 +20,10 @@ using Finals = std::vector<std::optional<VectorXd>>;
 constexpr double same_m = 1e-9;     // an example blended from itself differs by rounding
 constexpr double most_extreme = 2;  // of the scale of the ratings, at either end
 
-const study::Task* find_task(const study::Study& study, const std::string& name) {
-  for (const study::Task& task : study.tasks) {
-    if (task.name == name && task.kind == study::TaskKind::find) return &task;
-  }
-  return nullptr;
+// The task of the study, if it asks for a quality.
+const study::Task* asking_task(const study::Study& study, const std::string& name) {
+  const study::Task* const task = study::find_task(study, name);
+  return task && task->kind == study::TaskKind::find ? task : nullptr;
 }
 
 // N: what each motion has of what a target asks for; empty: nobody was asked.
@@ -34,7 +33,7 @@ std::map<std::pair<int, int>, VectorXd> ratings_by_target(const Dataset& data,
   std::map<std::pair<int, int>, VectorXd> ratings;
   for (int t = 0; t < size_of(data.tasks); ++t) {
     const Task& task = item(data.tasks, t);
-    const study::Task* asked = find_task(study, task.name);
+    const study::Task* asked = asking_task(study, task.name);
     if (!asked) continue;
     for (const study::Target& target : asked->targets) {
       const auto at = std::find(task.targets.begin(), task.targets.end(), target.name);
@@ -137,7 +136,7 @@ void add_measures_of_made(const Log& log, const study::StudyBundle* stored, Data
   if (!stored) return;
   std::vector<bool> find;
   for (const Task& task : data.tasks) {
-    find.push_back(find_task(stored->study, task.name) != nullptr);
+    find.push_back(asking_task(stored->study, task.name) != nullptr);
   }
   if (std::find(find.begin(), find.end(), true) == find.end()) return;
   const Finals finals = final_weights(log, data, *stored, find);

@@ -38,13 +38,6 @@ bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) 
   return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
 
-const study::Task* task_named(const study::Study& study, const std::string& name) {
-  for (const study::Task& task : study.tasks) {
-    if (task.name == name) return &task;
-  }
-  return nullptr;
-}
-
 std::vector<std::string> names_of(const std::vector<Task>& tasks) {
   std::vector<std::string> names;
   for (const Task& task : tasks) names.push_back(task.name);
@@ -53,7 +46,7 @@ std::vector<std::string> names_of(const std::vector<Task>& tasks) {
 
 const study::Target* target_of(const StudyBundle& stored, const Dataset& data, const Trial& trial) {
   const Task& task = item(data.tasks, trial.task);
-  const study::Task* asked = task_named(stored.study, task.name);
+  const study::Task* asked = study::find_task(stored.study, task.name);
   if (!asked || asked->kind != study::TaskKind::find) return nullptr;
   for (const study::Target& target : asked->targets) {
     if (target.name == item(task.targets, trial.target)) return &target;
@@ -105,7 +98,7 @@ Outcomes outcomes_of(const std::vector<std::string>& databases, const SelectionO
   refuse_unknown("--interface", choice.interfaces, data.interfaces);
   std::vector<bool> tasks;
   for (const Task& task : data.tasks) {
-    const study::Task* asked = task_named(stored.study, task.name);
+    const study::Task* asked = study::find_task(stored.study, task.name);
     const bool finds = asked && asked->kind == study::TaskKind::find;
     tasks.push_back(choice.tasks.empty() ? finds : is_wanted(choice.tasks, task.name));
   }

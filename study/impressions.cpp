@@ -67,7 +67,17 @@ constexpr auto readings = std::to_array<Reading>({
     {"narrow-wide", {.openness = 1.4}, 0.5},
 });
 
-static_assert(readings.size() == motion::adjective_pairs.size());
+constexpr bool has_the_pairs_of_the_source() {
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const motion::AdjectivePair& pair = motion::adjective_pairs[i];
+    const std::string_view name = readings[i].pair;
+    const bool same = name.starts_with(pair.left) && name.ends_with(pair.right) &&
+                      name.size() == pair.left.size() + 1 + pair.right.size();
+    if (!same) return false;
+  }
+  return readings.size() == motion::adjective_pairs.size();
+}
+static_assert(has_the_pairs_of_the_source(), "in their order");
 
 constexpr double emphasis = 2;  // from a weighted quality to steps of the scale
 constexpr double most = 2;      // the scale is -2 to 2
@@ -148,11 +158,15 @@ double judged(double felt) { return most * std::tanh(felt / most); }
 
 double doubt_about(int pair) { return readings[static_cast<std::size_t>(pair)].doubt; }
 
-std::string_view pair_name(int pair) { return readings[static_cast<std::size_t>(pair)].pair; }
-
 Eigen::MatrixXd impressions_of(const motion::MotionSet& set, std::string_view builtin) {
   const bool known = motion::names_of(set) == motion::builtin_names(builtin);
   return known ? meant(builtin) : predicted(set);
+}
+
+const Eigen::MatrixXd& Impressions::of(const motion::MotionSet& set,
+                                       std::string_view builtin) const {
+  std::call_once(once_, [&] { felt_ = impressions_of(set, builtin); });
+  return felt_;
 }
 
 int pair_asked_by(const Item& item) {

@@ -3,6 +3,7 @@
 // each walk was meant, of any other by its features.
 #pragma once
 
+#include <mutex>
 #include <optional>
 #include <string_view>
 
@@ -20,13 +21,22 @@ Eigen::VectorXd felt_of(const motion::StyleCharacter& walk);
 double judged(double felt);
 // How much two people differ about a pair, standard deviation in steps of the scale.
 double doubt_about(int pair);
-// The name of a pair, "slow-fast".
-std::string_view pair_name(int pair);
 
 // 41 x N: felt_of each walk. `builtin`: the name of the built-in set ("A") that it may be. Of any
 // other set they are told from its features by ridge regression on the walks of `builtin:B` and
 // `builtin:N`.
 Eigen::MatrixXd impressions_of(const motion::MotionSet& set, std::string_view builtin);
+
+// The same of one set, worked out when somebody first asks: only simulated people do. Any thread
+// may.
+class Impressions {
+ public:
+  const Eigen::MatrixXd& of(const motion::MotionSet& set, std::string_view builtin) const;
+
+ private:
+  mutable std::once_flag once_;
+  mutable Eigen::MatrixXd felt_;
+};
 
 // The pair that an item asks for: one of the 41, or one of the short form's four names
 // ("quickness" and so on); -1: something else.

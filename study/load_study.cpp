@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -125,15 +124,6 @@ void put(std::string& bytes, std::string_view part) {
   bytes += part;
 }
 
-// Do simulated people have to know how the walks seem?
-bool asks_for_impressions(const Study& study) {
-  return std::any_of(study.tasks.begin(), study.tasks.end(), [&](const Task& task) {
-    if (task.kind == TaskKind::find) return true;
-    return task.instrument >= 0 &&
-           asks_for_pairs(study.instruments[static_cast<std::size_t>(task.instrument)]);
-  });
-}
-
 // What was drawn, and what the first participant gets: another program may draw otherwise. To
 // six places, so that the last bits of another machine make no other study.
 void put_draws(const Study& study, std::string& bytes) {
@@ -227,10 +217,7 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
   if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
   if (reader.ok()) warn_of_numbers(root, study);
-  if (reader.ok() && asks_for_impressions(study)) {
-    bundle.impressions =
-        impressions_of(bundle.space.set, motion::builtin_name(study.set).value_or(""));
-  }
+  bundle.impressions = std::make_shared<const Impressions>();
   bundle.warnings = reader.finish();
   bundle.parts = files.parts();
   bundle.file = file;

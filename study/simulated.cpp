@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "motion/builtin.h"
+#include "motion/models/adjective_pairs.h"
 #include "study/asked_quality.h"
 #include "study/impressions.h"
 #include "study/simulated_raters.h"
@@ -28,18 +30,26 @@ bool contains(const std::string& text, const std::string& part) {
   return !part.empty() && text.find(part) != std::string::npos;
 }
 
+const Eigen::MatrixXd& impressions_in(const StudyBundle& bundle) {
+  return bundle.impressions->of(bundle.space.set,
+                                motion::builtin_name(bundle.study.set).value_or(""));
+}
+
 // Of a quality that is one end of a pair of adjectives: how the walks seem on it.
-std::optional<Eigen::VectorXd> felt_appeal(const Target& target, const Eigen::MatrixXd& felt) {
+std::optional<Eigen::VectorXd> felt_appeal(const Target& target, const StudyBundle& bundle) {
   std::vector<std::string> pairs;
-  for (int pair = 0; pair < felt.rows(); ++pair) pairs.emplace_back(pair_name(pair));
+  for (const motion::AdjectivePair& pair : motion::adjective_pairs) {
+    pairs.push_back(motion::pair_name(pair));
+  }
   const auto asked = asked_pair(pairs, target);
   if (!asked) return std::nullopt;
+  const Eigen::MatrixXd& felt = impressions_in(bundle);
   const Eigen::VectorXd towards = (asked->left ? -1 : 1) * felt.row(asked->pair).transpose();
   return Eigen::VectorXd(0.5 + 0.25 * towards.unaryExpr(&judged).array());
 }
 
 Eigen::VectorXd appeal_of(const Target& target, const StudyBundle& bundle) {
-  if (const auto felt = felt_appeal(target, bundle.impressions)) return *felt;
+  if (const auto felt = felt_appeal(target, bundle)) return *felt;
   const motion::MotionSet& set = bundle.space.set;
   Eigen::VectorXd appeal(set.size());
   const std::string quality = text_in(target.quality, "en");
@@ -250,7 +260,8 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   const Task& task = task_of(bundle_->study, planned);
   if (task.kind == TaskKind::rate) {
     trial_.changes_one = state.attempt > 1 && session.answered();
-    if (bundle_->impressions.size() > 0) trial_.felt = bundle_->impressions * state.weights;
+    if (asks_for_pairs(*session.questions()))
+      trial_.felt = impressions_in(*bundle_) * state.weights;
     return;
   }
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);

@@ -41,7 +41,9 @@ std::optional<RatingsTable> simulated_ratings(const std::string& set, const Rate
   if (walks.empty()) return std::nullopt;
   RatingsTable table;
   table.motions = motion::builtin_names(set);
-  for (int pair = 0; pair < pairs; ++pair) table.pairs.emplace_back(pair_name(pair));
+  for (const motion::AdjectivePair& pair : motion::adjective_pairs) {
+    table.pairs.push_back(motion::pair_name(pair));
+  }
   table.raters = options.raters;
   table.simulated = true;
   for (int rater = 0; rater < options.raters; ++rater) {

@@ -36,7 +36,7 @@ struct Target {
   std::optional<Eigen::VectorXd> weights;  // N; nothing in find tasks, and where `draw` is set
   LocalText quality;                       // the asked word in each language (find)
   std::string pair = {};  // of adjectives, the asked word second: scores it (find); empty: by name
-  Place place = {};                        // in the study's file
+  Place place = {};       // in the study's file
   // Drawn anew for each participant: N weights. Empty: the same for all.
   std::function<Eigen::VectorXd(Rng&)> draw = {};
   std::string stream = {};   // of the draw: targets of one stream are drawn together
@@ -188,12 +188,22 @@ struct Study {
   LocalText title, consent;  // own texts of the study
 };
 
+// By its name; null: there is none.
+inline const Task* find_task(const Study& study, std::string_view name) {
+  for (const Task& task : study.tasks) {
+    if (task.name == name) return &task;
+  }
+  return nullptr;
+}
+
 // A file that a study is made of: one that it names (ratings, an instrument, targets), or one
 // of the program's that it uses.
 struct StudyPart {
   std::string path;  // as the study says it; "builtin:languages/en.toml" is the program's
   std::string content;
 };
+
+class Impressions;
 
 // A study, ready to run.
 struct StudyBundle {
@@ -206,9 +216,8 @@ struct StudyBundle {
   CoverageMap coverage;
   // Behind the adjectives; null: no interface asked for it, or there are no ratings.
   std::shared_ptr<const AdjectiveModel> adjectives;
-  // 41 x N: how the walks seem on the pairs of adjectives to simulated people
-  // (study/impressions.h); empty where no rate task asks for pairs.
-  Eigen::MatrixXd impressions;
+  // How the walks seem to simulated people (study/impressions.h).
+  std::shared_ptr<const Impressions> impressions;
   std::string set_bytes, set_sha256;
   std::vector<StudyPart> parts;  // by path
   StudyTexts texts;              // of its languages; those that were frozen with it, if it was
