@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cassert>
-#include <cstdio>
 #include <set>
 #include <thread>
 
+#include "motion/decimal.h"
 #include "motion/graph/cut_graph.h"
 
 namespace promenade::motion {
@@ -135,11 +135,7 @@ void count_what_is_left(BuiltGraph& built) {
   statistics.lost.assign(lost.begin(), lost.end());
 }
 
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f m", value);
-  return text;
-}
+std::string metres(double value) { return short_number(value, 2) + " m"; }
 
 // Why there is no walk, and what to do.
 std::string trouble_of(const BuiltGraph& built, const Matches& matches) {
