@@ -101,7 +101,8 @@ Outline outline_of(std::string_view config_text) {
             order_in(root),
             names_in(root, "interface", {"type", "name"}),
             published_in(root),
-            draws_in(root)};
+            draws_in(root),
+            names_in(root, "stimulus", {"name"})};
   } catch (const InputError&) {
     return {};
   }

@@ -73,6 +73,13 @@ std::string describe_parts(const Stimulus& stimulus) {
   return text;
 }
 
+int count_transitions(const Stimulus& stimulus) {
+  return static_cast<int>(
+      std::count_if(stimulus.edges.begin(), stimulus.edges.end(), [&](int edge) {
+        return stimulus.graph->edges[static_cast<std::size_t>(edge)].transition >= 0;
+      }));
+}
+
 Eigen::VectorXd felt_of(const Stimulus& stimulus, const StudyBundle& bundle) {
   const motion::MotionSet& set = bundle.space.set;
   const Eigen::MatrixXd& all =

@@ -59,6 +59,8 @@ bool same_bones(const motion::Skeleton& a, const motion::Skeleton& b);
 
 // "happy 4.1 s, sad 3.9 s": what is seen, in its order.
 std::string describe_parts(const Stimulus& stimulus);
+// How often it passes from one place of the captures to another.
+int count_transitions(const Stimulus& stimulus);
 
 // 41: how it seems to simulated people, in steps of the scale (study/impressions.h): as the walks
 // of its labels do, by the time that each is seen. Labels without a walk in the set are neutral.
