@@ -64,6 +64,8 @@ class Stage {
   // A stimulus stands where the session says.
   void scrub(double phase) { phase_ = phase; }
   bool shows(Role role) const { return figure(role).present; }
+  // What is drawn of it: metres, about its spot.
+  const std::vector<Part>& parts(Role role) const { return figure(role).parts; }
   // Is there only its place?
   bool hides(Role role) const { return figure(role).present && figure(role).hidden; }
   // Under the feet of a figure, where its plate goes: pixels.
