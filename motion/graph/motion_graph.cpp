@@ -1,12 +1,11 @@
 #include "motion/graph/motion_graph.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cassert>
 #include <set>
-#include <thread>
 
 #include "motion/decimal.h"
+#include "motion/graph/all_cores.h"
 #include "motion/graph/cut_graph.h"
 
 namespace promenade::motion {
@@ -14,10 +13,8 @@ namespace {
 
 using Progress = std::function<bool(const std::string&, double)>;
 
-void report(const Progress& progress, const std::string& what, double share) {
-  if (progress && !progress(what, share)) {
-    throw OutsideError("stopped before the graph was built; nothing is written");
-  }
+[[noreturn]] void stop() {
+  throw OutsideError("stopped before the graph was built; nothing is written");
 }
 
 std::vector<LabelledClouds> clouds_of(const std::vector<GraphTake>& takes) {
@@ -47,57 +44,32 @@ std::vector<Passage> offered(const Matches& matches) {
   return passages;
 }
 
-// Makes transitions on all cores. Each is worked out by itself, so that their number and
-// order do not depend on the machine.
-class TransitionMaker {
- public:
-  TransitionMaker(const std::vector<GraphTake>& takes, std::vector<Passage>& passages)
-      : passages_(passages), refusals_(passages.size()) {
-    for (const GraphTake& one : takes) footed_.push_back(make_footed(one.take));
-  }
-
-  void run(const Progress& progress) {
-    const unsigned helpers = std::max(std::thread::hardware_concurrency(), 1U) - 1;
-    std::vector<std::jthread> threads;
-    for (unsigned t = 0; t < helpers; ++t) threads.emplace_back([this] { work({}); });
-    try {
-      work(progress);
-    } catch (...) {
-      next_ = passages_.size();
-      throw;
-    }
-  }
-
-  // Of each passage; empty: it can be used.
-  const std::vector<std::string>& refusals() const { return refusals_; }
-
- private:
-  void work(const Progress& progress) {
-    for (std::size_t p = next_++; p < passages_.size(); p = next_++) {
-      if (p % 64 == 0) {
-        report(progress, "making transitions",
-               static_cast<double>(p) / static_cast<double>(passages_.size()));
-      }
-      make(p);
-    }
-  }
-
-  void make(std::size_t p) {
-    Passage& passage = passages_[p];
-    Transition made = make_transition(footed_[static_cast<std::size_t>(passage.from_take)],
-                                      footed_[static_cast<std::size_t>(passage.to_take)],
-                                      passage.transition.frames, passage.transition.move);
-    passage.transition.move = made.move;
-    passage.transition.poses = std::move(made.poses);
-    passage.transition.quality = made.quality;
-    refusals_[p] = std::move(made.refusal);
-  }
-
-  std::vector<Passage>& passages_;
-  std::vector<FootedTake> footed_;
-  std::vector<std::string> refusals_;
-  std::atomic<std::size_t> next_{0};
-};
+// Makes the transitions that are only placed so far; of each it says why it cannot be used, or
+// nothing.
+std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
+                                          std::vector<Passage>& passages,
+                                          const Progress& progress) {
+  std::vector<FootedTake> footed;
+  footed.reserve(takes.size());
+  for (const GraphTake& one : takes) footed.push_back(make_footed(one.take));
+  std::vector<std::string> refusals(passages.size());
+  const auto make = [&](int number) {
+    const auto p = static_cast<std::size_t>(number);
+    GraphTransition& placed = passages[p].transition;
+    Transition made = make_transition(footed[static_cast<std::size_t>(passages[p].from_take)],
+                                      footed[static_cast<std::size_t>(passages[p].to_take)],
+                                      placed.frames, placed.move);
+    placed.move = made.move;
+    placed.poses = std::move(made.poses);
+    placed.quality = made.quality;
+    refusals[p] = std::move(made.refusal);
+  };
+  const bool finished = for_each_piece(static_cast<int>(passages.size()), make, [&](double share) {
+    return !progress || progress("making transitions", share);
+  });
+  if (!finished) stop();
+  return refusals;
+}
 
 void drop_refused(const std::vector<std::string>& refusals, std::vector<Passage>& passages,
                   BuiltGraph& built) {
@@ -174,16 +146,14 @@ BuiltGraph build_graph(std::vector<GraphTake> takes, const MatchOptions& options
         stopped = progress && !progress("comparing frames", share);
         return !stopped;
       });
-  if (stopped) report(progress, "comparing frames", 1);
+  if (stopped) stop();
   graph.threshold_m = matches.threshold_m;
   graph.window = matches.window;
   built.statistics.minima = matches.minima;
   built.statistics.matches = static_cast<int>(matches.found.size());
 
   std::vector<Passage> passages = offered(matches);
-  TransitionMaker maker(graph.takes, passages);
-  maker.run(progress);
-  drop_refused(maker.refusals(), passages, built);
+  drop_refused(make_transitions(graph.takes, passages, progress), passages, built);
   built.statistics.refused = static_cast<int>(built.refusals.size());
   cut_at(std::move(passages), graph);
   built.statistics.nodes_cut = static_cast<int>(graph.nodes.size());
