@@ -12,7 +12,12 @@
 namespace promenade::motion {
 namespace {
 
-constexpr double around_seconds = 1;  // of the captures, on either side of their windows
+constexpr double around_seconds = 1;      // of the captures, on either side of their windows
+constexpr double least_slide_m = 0.0005;  // feet that slide less are left as they are
+// What nobody sees, where captures hardly move: they would refuse every change.
+constexpr double least_gap_m = 0.0005;
+constexpr double least_knee_gap = 0.1 * degree;
+constexpr double rounding = 1 + 1e-9;  // of a gap that is the captures' own
 
 std::string rounded_up(double value) { return std::to_string(std::lround(std::ceil(value))); }
 
@@ -74,11 +79,11 @@ std::string refusal_of(const std::array<double, 2>& slide, const TransitionQuali
     return std::string(slide[0] > slide[1] ? "the left" : "the right") + " foot would slide " +
            rounded_up(1000 * quality.slide_m) + " mm";
   }
-  if (quality.gap_m > quality.inside_gap_m) {
+  if (quality.gap_m > std::max(rounding * quality.inside_gap_m, least_gap_m)) {
     return "a joint would jump by " + rounded_up(1000 * quality.gap_m) +
            " mm between frames, more than in the captures";
   }
-  if (quality.knee_gap > quality.inside_knee_gap) {
+  if (quality.knee_gap > std::max(rounding * quality.inside_knee_gap, least_knee_gap)) {
     return "a knee would snap by " + rounded_up(quality.knee_gap / degree) +
            " degrees between frames, more than in the captures";
   }
@@ -106,11 +111,13 @@ Transition make_transition(const FootedTake& a, const FootedTake& b, const Trans
   Blend blend = make_blend(a, b, frames, match);
   const FootRuns runs = {standing_runs(blend, 0), standing_runs(blend, 1)};
   TransitionQuality& quality = transition.quality;
-  const std::array before = slides(blend, runs);
-  quality.slide_raw_m = std::max(before[0], before[1]);
-  lay_by_feet(blend, runs);
-  quality.moved_m = plant_feet(blend, runs);
-  const std::array slide = slides(blend, runs);
+  std::array slide = slides(blend, runs);
+  quality.slide_raw_m = std::max(slide[0], slide[1]);
+  if (quality.slide_raw_m > least_slide_m) {
+    lay_by_feet(blend, runs);
+    quality.moved_m = plant_feet(blend, runs);
+    slide = slides(blend, runs);
+  }
   quality.slide_m = std::max(slide[0], slide[1]);
   measure_gaps(blend, quality);
   transition.move = blend.move;
