@@ -48,6 +48,7 @@ struct Matches {
   int window = 0;            // frames
   int minima = 0;            // local minima of all maps, below the threshold or not
   double threshold_m = 0;    // that was used, also where a quantile asked for it
+  double least_m = 0;        // the least rms of all minima, also beyond the threshold
 };
 
 // `progress` (share done, 0 to 1) returns false to stop: then an empty list comes back.

@@ -68,11 +68,19 @@ struct GraphStatistics {
   std::vector<std::string> lost;  // labels of which nothing is left
 };
 
+// A transition that was not good enough.
+struct RefusedTransition {
+  int from_take = 0, to_take = 0;
+  TransitionFrames frames;
+  double rms_m = 0;
+  std::string reason;
+};
+
 struct BuiltGraph {
   MotionGraph graph;  // without nodes: see `trouble`
   GraphStatistics statistics;
-  std::string trouble;  // why there is no walk: no match, no way back...; with a way out
-  std::vector<std::pair<double, std::string>> refusals;  // rms and why
+  std::string trouble;  // why there is no walk, and a way out; empty: there are walks
+  std::vector<RefusedTransition> refusals;
 };
 
 // Takes share joints and frame time (checked by whoever reads them). `progress` is told what is
@@ -81,7 +89,7 @@ BuiltGraph build_graph(std::vector<GraphTake> takes, const MatchOptions& options
                        const std::function<bool(const std::string&, double)>& progress = {});
 
 // The part of a graph in which these labels can be walked forever, transitions among them
-// included. Nodes and edges keep their order; takes and transitions are shared by number.
+// included. Nodes and edges keep their order; without nodes: there is no such walk.
 MotionGraph part_with_labels(const MotionGraph& graph, const std::vector<std::string>& labels);
 
 }  // namespace promenade::motion

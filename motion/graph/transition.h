@@ -40,11 +40,13 @@ struct TransitionLimits {
   double most_slide_m = 0.005;
 };
 
-// What a transition needs to know of a take. Takes share one skeleton and frame time.
+// A take and what its transitions need to know of it, worked out once. The take must outlive
+// it; takes share one skeleton and frame time.
 struct FootedTake {
-  const Take& take;
-  const FootContacts& contacts;
+  const Take* take;
+  FootContacts contacts;
 };
+FootedTake make_footed(const Take& take);
 
 Transition make_transition(const FootedTake& a, const FootedTake& b, const TransitionFrames& frames,
                            const PlanarMove& match, const TransitionLimits& limits = {});
