@@ -8,6 +8,7 @@
 // plates show 10: a foot that moves cannot be planted.
 #pragma once
 
+#include "motion/heel.h"
 #include "motion/take.h"
 
 namespace promenade::motion {
@@ -27,6 +28,7 @@ struct FootCourse {
 struct FootContacts {
   std::vector<Stance> left, right;  // in order of time; those cut by an end of the take as well
   FootCourse left_course, right_course;
+  Heel left_heel, right_heel;
   double still_m_s = 0;  // below this speed a point of the foot stands
 };
 

@@ -1,6 +1,6 @@
 // Where two windows of captured frames are alike: the local minima of the distance map below a
-// threshold ([K] 3.2), each asked again in double. One match offers two transitions: from the
-// start of A's window to the end of B's, and from the start of B's to the end of A's.
+// threshold ([K] 3.2), each settled in double (map_minima.h). One match offers two transitions:
+// from the start of A's window to the end of B's, and from the start of B's to the end of A's.
 #pragma once
 
 #include <functional>
@@ -51,6 +51,10 @@ struct Matches {
   double least_m = 0;        // the least rms of all minima, also beyond the threshold
 };
 
+// All pairs of takes, each with itself too, on all cores: the result depends on nothing but the
+// takes. Takes share their points and weights. A take shorter than a window has no match, nor has
+// a window with a point that is no number. A quantile remembers every minimum; else memory grows
+// with the takes and their matches, not with the maps.
 // `progress` (share done, 0 to 1) returns false to stop: then an empty list comes back.
 Matches find_matches(const std::vector<LabelledClouds>& takes, double frame_time,
                      const MatchOptions& options, const std::function<bool(double)>& progress = {});

@@ -5,7 +5,7 @@
 #include "motion/angles.h"
 #include "motion/graph/path_objective.h"
 #include "motion/problem.h"
-#include "tests/motion/graph/toy_graph.h"
+#include "tests/motion/graph/arc_graph.h"
 
 namespace promenade::motion {
 namespace {
@@ -34,7 +34,7 @@ GroundPath s_curve() {
   return GroundPath(points);
 }
 
-PathWalk walk(const ToyGraph& toy, const GroundPath& path, const PathWalkOptions& options = {}) {
+PathWalk walk(const ArcGraph& toy, const GroundPath& path, const PathWalkOptions& options = {}) {
   return walk_along(toy.graph, edge_ways(toy.graph, toy.courses), path, options);
 }
 

@@ -1,59 +1,49 @@
-// Motion graphs made by hand, for tests that need no poses.
+// Small motion graphs, cut by hand out of takes that stand still: what matters is where edges
+// lead.
 #pragma once
 
-#include <cmath>
-
-#include "motion/graph/graph_walk.h"
+#include "motion/graph/cut_graph.h"
 
 namespace promenade::motion {
 
-struct ToyGraph {
+// One joint that walks along +Z, a metre each second, ten frames a second.
+inline Take toy_take(const std::string& name, int frames) {
+  Take take;
+  take.source = name;
+  take.skeleton.joints = {{"hips", -1, Eigen::Vector3d::Zero()}};
+  take.frame_time = 0.1;
+  for (int f = 0; f < frames; ++f) {
+    take.poses.push_back({Eigen::Vector3d(0, 1, 0.1 * f), {Eigen::Quaterniond::Identity()}});
+  }
+  return take;
+}
+
+// A transition of k frames that shows where its first take would be, then turns and moves.
+inline Passage toy_passage(const GraphNode& from, const GraphNode& to, int k,
+                           const PlanarMove& move = {}, double rms = 0.01) {
+  Passage passage{from.take, to.take, {}};
+  passage.transition.frames = {from.frame, to.frame, k};
+  passage.transition.rms_m = rms;
+  passage.transition.move = move;
+  for (int p = 0; p < k - 1; ++p) {
+    passage.transition.poses.push_back(
+        {Eigen::Vector3d(0, 1, 0.1 * (from.frame + p)), {Eigen::Quaterniond::Identity()}});
+  }
+  return passage;
+}
+
+inline MotionGraph toy_graph(const std::vector<int>& frames_of_takes,
+                             std::vector<Passage> passages) {
   MotionGraph graph;
-  std::vector<EdgeCourse> courses;
-
-  explicit ToyGraph(double frames_per_second = 30) {
-    graph.name = "toy";
-    graph.frame_time = 1 / frames_per_second;
+  graph.name = "toy";
+  graph.frame_time = 0.1;
+  graph.window = 3;
+  for (std::size_t t = 0; t < frames_of_takes.size(); ++t) {
+    const std::string name(1, static_cast<char>('a' + t));
+    graph.takes.push_back({toy_take(name + ".bvh", frames_of_takes[t]), name});
   }
-
-  int add_take(const std::string& label) {
-    graph.takes.push_back({{}, label});
-    return static_cast<int>(graph.takes.size()) - 1;
-  }
-  int add_node(int take) {
-    graph.nodes.push_back({take, static_cast<int>(graph.nodes.size())});
-    return static_cast<int>(graph.nodes.size()) - 1;
-  }
-
-  // An edge that walks along an arc, from the origin, at first along +Z; `turn` radians to the
-  // figure's left (about +Y) in all. Edges are to be added in order of `from`.
-  void add_arc(int from, int to, int frames, double metres, double turn, double rms = 0.01) {
-    graph.edges.push_back({from, to, frames, static_cast<int>(graph.transitions.size())});
-    graph.transitions.emplace_back().rms_m = rms;
-    EdgeCourse course{Eigen::Matrix2Xd(2, frames), at(metres, turn, 1)};
-    for (int i = 0; i < frames; ++i) {
-      const PlanarMove there = at(metres, turn, double(i) / frames);
-      course.pelvis.col(i) << there.x0, there.z0;
-    }
-    courses.push_back(course);
-  }
-
- private:
-  static PlanarMove at(double metres, double turn, double share) {
-    const double way = metres * share, angle = turn * share;
-    if (turn == 0) return {0, 0, way};
-    const double radius = metres / turn;
-    return {angle, radius * (1 - std::cos(angle)), radius * std::sin(angle)};
-  }
-};
-
-// One place from which 15 frames (half a second) lead 0.65 m straight on, or in a turn to
-// either side.
-inline ToyGraph straight_left_right(double turn = 0.5) {
-  ToyGraph toy;
-  const int node = toy.add_node(toy.add_take("plain"));
-  for (const double angle : {0.0, turn, -turn}) toy.add_arc(node, node, 15, 0.65, angle);
-  return toy;
+  cut_at(std::move(passages), graph);
+  return graph;
 }
 
 }  // namespace promenade::motion

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/graph/graph_walk.h"
-#include "tests/motion/graph/toy_graph.h"
+#include "tests/motion/graph/arc_graph.h"
 #include "tests/motion/models/random.h"
 
 namespace promenade::motion {
@@ -40,7 +40,7 @@ class ToyObjective : public WalkObjective {
 // Every node has one to three edges.
 MotionGraph random_graph(std::uint64_t seed) {
   Random random(seed);
-  ToyGraph toy;
+  ArcGraph toy;
   const int take = toy.add_take("plain");
   const int nodes = 1 + static_cast<int>(random.uniform() * 6);
   for (int node = 0; node < nodes; ++node) toy.add_node(take);
@@ -131,7 +131,7 @@ TEST(WithinHorizon, WhatIsNotBelowABoundIsNoAnswer) {
 
 // Two edges from one node to itself, both of one frame: 2^horizon walks.
 MotionGraph fork() {
-  ToyGraph toy;
+  ArcGraph toy;
   const int node = toy.add_node(toy.add_take("plain"));
   for (int i = 0; i < 2; ++i) toy.add_arc(node, node, 1, 1, 0);
   return toy.graph;
@@ -158,7 +158,7 @@ TEST(WithinHorizon, MoreEffortIsNeverWorse) {
 }
 
 TEST(WithinHorizon, ADeepHorizonNeedsNoDeepStack) {
-  ToyGraph ring;
+  ArcGraph ring;
   const int node = ring.add_node(ring.add_take("plain"));
   ring.add_arc(node, node, 1, 1, 0);
   const ToyObjective objective(ring.graph, 1);
@@ -168,7 +168,7 @@ TEST(WithinHorizon, ADeepHorizonNeedsNoDeepStack) {
 }
 
 TEST(WithinHorizon, AWalkThatCannotGoOnIsNoAnswer) {
-  ToyGraph toy;
+  ArcGraph toy;
   const int take = toy.add_take("plain");
   for (int i = 0; i < 3; ++i) toy.add_node(take);
   toy.add_arc(0, 1, 1, 1, 0);  // a dead end
