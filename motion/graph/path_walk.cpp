@@ -36,20 +36,23 @@ struct Begun {
 };
 
 // Searches the first horizon of every start: first the one walk that looks best at each node, then,
-// where that was cheapest, a little around it.
+// where that was cheapest, a little around it. `goes_on` is asked now and then.
 class StartSearch {
  public:
-  StartSearch(const WalkSearch& search, WalkSearchOptions options)
-      : search_(search), options_(options) {}
+  StartSearch(const WalkSearch& search, WalkSearchOptions options,
+              const std::function<bool()>& goes_on)
+      : search_(search), options_(options), goes_on_(goes_on) {}
 
   Begun best(const std::vector<WalkState>& states) {
-    for (const WalkState& state : states) dive(state);
+    for (const WalkState& state : states) {
+      if (begun_.empty() || goes_on_()) dive(state);
+    }
     std::stable_sort(begun_.begin(), begun_.end(), [](const Begun& a, const Begun& b) {
       return a.walk.end.cost < b.walk.end.cost;
     });
     Begun best = begun_.front();
     options_.most_edges = std::max<std::int64_t>(1, options_.most_edges / 64);
-    for (std::size_t i = 0; i < std::min<std::size_t>(64, begun_.size()); ++i) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(64, begun_.size()) && goes_on_(); ++i) {
       look_around(begun_[i], best);
     }
     best.walk.visited = visited_;
@@ -66,13 +69,15 @@ class StartSearch {
   }
 
   void look_around(const Begun& from, Begun& best) {
-    FoundWalk walk = search_.within_horizon({from.state, {}, best.walk.end.cost}, options_);
+    FoundWalk walk = search_.within_horizon({from.state, {}, best.walk.end.cost}, options_,
+                                            [this](const FoundWalk&) { return goes_on_(); });
     visited_ += walk.visited;
     if (!walk.edges.empty()) best = {from.state, std::move(walk)};
   }
 
   const WalkSearch& search_;
   WalkSearchOptions options_;
+  const std::function<bool()>& goes_on_;
   std::vector<Begun> begun_;
   std::int64_t visited_ = 0;
 };
@@ -119,7 +124,8 @@ PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
   const PathObjective objective(graph, ways, path, options);
   const WalkSearch search(graph, objective);
   const WalkSearchOptions how = search_options(graph, options);
-  const Begun begun = StartSearch(search, how).best(starts_of(graph, objective, options));
+  const std::function<bool()> goes_on = [&] { return !progress || progress({}, 0); };
+  const Begun begun = StartSearch(search, how, goes_on).best(starts_of(graph, objective, options));
   const auto heard = [&](const FoundWalk& found) {
     return progress({found.edges, begun.state.place},
                     std::min(1.0, found.end.travelled_m / path.length()));

@@ -39,7 +39,8 @@ struct PathWalk {
 };
 
 // `progress` is told the best walk so far and the share of the path that it covers, 0 to 1; false
-// stops. Throws an InputError where no edge has a label that is asked for.
+// stops. While a beginning is sought that walk has no edges. Throws an InputError where no edge
+// has a label that is asked for.
 PathWalk walk_along(const MotionGraph& graph, const GroundPath& path,
                     const PathWalkOptions& options = {},
                     const std::function<bool(const GraphWalk&, double)>& progress = {});
