@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "motion/graph/loops.h"
 #include "motion/graph/window_distance.h"
 
 namespace promenade::motion {
@@ -256,6 +257,33 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
   }
   std::stable_sort(
       found.begin(), found.end(),
+      [](const CycleCandidate& a, const CycleCandidate& b) { return a.score < b.score; });
+  return search;
+}
+
+CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
+  LoopOptions wanted;
+  wanted.threshold_m = options.most_loop_error_m;
+  CycleSearch search;
+  int turning = 0;
+  const double half = 0.5 * (std::round(wanted.window_s / take.frame_time) - 1);
+  for (const Match& loop : find_loops(take, wanted)) {
+    // In the middle of the windows, which are alike as a whole.
+    CycleCandidate cycle = given_cycle(take, {loop.start_a + half, loop.start_b + half});
+    cycle.window_m = loop.rms_m;
+    if (std::abs(cycle.turn) > options.most_turn) {
+      ++turning;
+      continue;
+    }
+    cycle.score = cycle.window_m * cycle.length();
+    search.candidates.push_back(std::move(cycle));
+  }
+  if (turning > 0) search.refusal = std::to_string(turning) + " turn";
+  if (search.candidates.empty() && turning == 0) {
+    search.refusal = "it is nowhere like itself half a second to four seconds later";
+  }
+  std::stable_sort(
+      search.candidates.begin(), search.candidates.end(),
       [](const CycleCandidate& a, const CycleCandidate& b) { return a.score < b.score; });
   return search;
 }

@@ -35,6 +35,10 @@ struct CycleSearch {
 CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
                         const SearchOptions& options = {});
 
+// Loops of any motion, walk or not, where the take is like itself a while later: two keytimes each,
+// first and last. Of loops that are as good the shorter comes first: twice around is a loop, too.
+CycleSearch find_any_loops(const Take& take, const SearchOptions& options = {});
+
 // Why these keytimes (frames of the take) are no cycle of it: outside of the take, or not
 // ascending. Empty: they are.
 std::string trouble_with_keys(const Take& take, const std::vector<double>& keys);
