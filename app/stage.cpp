@@ -45,6 +45,8 @@ void Stage::walk(double seconds, const Cast& cast) {
   seconds *= pace_.playing ? pace_.speed : 0;
   if (seconds == 0) return;
   const motion::Cycle* pace = cast.target != nullptr ? cast.target : cast.created;
+  // Small figures walk on beside a stimulus.
+  if (cast.stimulus != nullptr) pace = &set_.cycles.front();
   const double before = phase_;
   const double reference_before = reference_phase_;
   if (pace != nullptr) phase_ = walked(*pace, before, seconds);

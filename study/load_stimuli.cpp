@@ -30,8 +30,7 @@ class GraphShelf {
   explicit GraphShelf(StudyFiles& files) : files_(files) {}
 
   // Null after a problem.
-  Graph find(const TomlTable& table) {
-    const std::string name = table.required_text("graph");
+  Graph find(const TomlTable& table, const std::string& name) {
     if (name.empty()) return nullptr;
     const auto known = graphs_.find(name);
     if (known != graphs_.end()) return known->second;
@@ -69,8 +68,8 @@ void refuse_names_of_walks(const TomlTable& table, const std::string& name,
                           "apart, so take another name");
 }
 
-StimulusPart read_part(const TomlTable& table, const Graph& graph, const std::string& file) {
-  StimulusPart part{table.required_text("label"), 0};
+motion::WantedLabel read_part(const TomlTable& table, const Graph& graph, const std::string& file) {
+  motion::WantedLabel part{table.required_text("label"), 0};
   table.require("seconds");
   part.seconds = table.number("seconds", shortest_part_s, longest_part_s).value_or(0);
   if (!graph || part.label.empty()) return part;
@@ -83,9 +82,9 @@ StimulusPart read_part(const TomlTable& table, const Graph& graph, const std::st
 }
 
 // All of them, or none after a problem.
-std::vector<StimulusPart> read_parts(const TomlTable& table, const Graph& graph,
-                                     const std::string& file) {
-  std::vector<StimulusPart> parts;
+std::vector<motion::WantedLabel> read_parts(const TomlTable& table, const Graph& graph,
+                                            const std::string& file) {
+  std::vector<motion::WantedLabel> parts;
   bool good = true;
   for (const TomlTable& one : table.tables("parts")) {
     parts.push_back(read_part(one, graph, file));
@@ -96,28 +95,26 @@ std::vector<StimulusPart> read_parts(const TomlTable& table, const Graph& graph,
   } else if (parts.empty() && table.is("parts", TomlValue::Kind::array)) {
     table.error("parts", "\"parts\" must not be empty");
   }
-  return good ? parts : std::vector<StimulusPart>();
+  return good ? parts : std::vector<motion::WantedLabel>();
 }
 
 std::shared_ptr<const Stimulus> read_stimulus(const TomlTable& table, const StudyContext& context,
                                               GraphShelf& graphs) {
   const std::string name = read_name(table);
   refuse_names_of_walks(table, name, context);
-  const std::string file = table.text("graph").value_or("");
-  const Graph graph = graphs.find(table);
-  std::vector<StimulusPart> parts = read_parts(table, graph, file);
+  const std::string file = table.required_text("graph");
+  const Graph graph = graphs.find(table, file);
+  std::vector<motion::WantedLabel> parts = read_parts(table, graph, file);
   const auto seed = static_cast<std::uint64_t>(table.integer("seed", 0, largest_seed).value_or(1));
   auto stimulus = std::make_shared<Stimulus>();
   stimulus->name = name;
   if (!graph || parts.empty()) return stimulus;
-  FoundWalk walk = find_walk(*graph, parts, seed);
-  if (walk.edges.empty()) {
-    table.error("parts", walk.problem);
-    return stimulus;
+  try {
+    *stimulus = make_stimulus(name, graph, find_walk(*graph, parts, seed));
+    stimulus->file = file;
+  } catch (const InputError& error) {
+    for (const Problem& problem : error.problems()) table.error("parts", problem.message);
   }
-  *stimulus = make_stimulus(name, graph, std::move(walk.edges));
-  stimulus->file = file;
-  stimulus->asked = std::move(parts);
   return stimulus;
 }
 

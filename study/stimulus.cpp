@@ -30,6 +30,15 @@ std::optional<Eigen::VectorXd> felt_of_label(const std::string& label, const mot
 
 constexpr double same_bone_m = 0.005;
 
+// "happy", then "sad"
+std::string in_words(const std::vector<motion::WantedLabel>& parts) {
+  std::string words;
+  for (const motion::WantedLabel& part : parts) {
+    words += (words.empty() ? "\"" : ", then \"") + part.label + "\"";
+  }
+  return words;
+}
+
 }  // namespace
 
 bool same_bones(const motion::Skeleton& a, const motion::Skeleton& b) {
@@ -49,8 +58,18 @@ StimulusMoment moment_of(const Stimulus& stimulus, double seconds) {
   return {static_cast<int>(round), std::min(within, length)};
 }
 
-FoundWalk find_walk(const motion::MotionGraph&, const std::vector<StimulusPart>&, std::uint64_t) {
-  return {{}, "walks are not searched yet"};
+std::vector<int> find_walk(const motion::MotionGraph& graph,
+                           const std::vector<motion::WantedLabel>& parts, std::uint64_t seed) {
+  std::vector<int> edges = motion::walk_through_labels(graph, parts, seed).edges;
+  const std::vector<motion::LabelledPart> seen = motion::labelled_parts(graph, edges);
+  auto from = seen.begin();
+  for (const motion::WantedLabel& part : parts) {
+    from = std::find_if(from, seen.end(), [&](auto& one) { return one.label == part.label; });
+    if (from != seen.end()) continue;
+    throw InputError(graph.name, "the motion graph has no walk that shows " + in_words(parts) +
+                                     "; ask for other labels, or build it with a larger threshold");
+  }
+  return edges;
 }
 
 Stimulus make_stimulus(std::string name, std::shared_ptr<const motion::MotionGraph> graph,

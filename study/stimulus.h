@@ -9,20 +9,14 @@
 #include <vector>
 
 #include "motion/graph/graph_walk.h"
+#include "motion/graph/label_walk.h"
 #include "study/study.h"
 
 namespace promenade::study {
 
-// What the study asks for.
-struct StimulusPart {
-  std::string label;
-  double seconds = 0;
-};
-
 struct Stimulus {
   std::string name;
-  std::string file;                 // of the graph, as the study says it
-  std::vector<StimulusPart> asked;  // in their order
+  std::string file;  // of the graph, as the study says it
   std::shared_ptr<const motion::MotionGraph> graph;
   std::vector<int> edges;                    // the walk
   std::vector<motion::LabelledPart> labels;  // what is seen when: frames of the take
@@ -41,14 +35,10 @@ struct StimulusMoment {
 };
 StimulusMoment moment_of(const Stimulus& stimulus, double seconds);
 
-// The walk with these labels, `seed` of the possible ones; a message, and no edges, where the
-// graph has none.
-struct FoundWalk {
-  std::vector<int> edges;
-  std::string problem;
-};
-FoundWalk find_walk(const motion::MotionGraph& graph, const std::vector<StimulusPart>& parts,
-                    std::uint64_t seed);
+// A walk that shows these labels in their order, `seed` of the possible ones. Throws InputError
+// where the graph has none; each label is one of the graph's.
+std::vector<int> find_walk(const motion::MotionGraph& graph,
+                           const std::vector<motion::WantedLabel>& parts, std::uint64_t seed);
 
 // The motion of a walk along these edges of the graph, at least one.
 Stimulus make_stimulus(std::string name, std::shared_ptr<const motion::MotionGraph> graph,

@@ -108,7 +108,7 @@ void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bu
 // The document that [study] prereg names becomes a part of the study; warns when it was written
 // for another one. `config_text` is the text behind `root`.
 void read_prereg_file(const TomlTable& root, std::string_view config_text, StudyFiles& files);
-// [[stimulus]]: before the tasks, whose targets name them. Without those that have a problem.
+// [[stimulus]]: before the tasks, whose targets name them. After a problem some show nothing.
 std::vector<std::shared_ptr<const Stimulus>> read_stimuli(const TomlTable& root,
                                                           const StudyContext& context);
 // After the tasks: a stimulus that none shows, and one whose figure differs from others of its

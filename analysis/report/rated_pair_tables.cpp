@@ -176,6 +176,7 @@ HtmlTable shown_stimuli(const RatedPairs& rated) {
       "Stimuli: the mean over raters from −2 (the first word of the pair) to 2 (the second), and "
       "its standard deviation.";
   table.columns = {"stimulus", "pair", "raters", "mean", "SD"};
+  table.heads = 2;
   for (const StimulusRating& one : rated.stimuli) {
     table.rows.push_back({one.stimulus, one.pair, std::to_string(one.raters), fixed(one.mean, 2),
                           number_cell(one.deviation, 2)});

@@ -12,7 +12,8 @@ namespace promenade::study::toy {
 // "near" can go on forever, or pass into "far", which can go on forever. Ten frames a second.
 inline motion::MotionGraph walks_graph() {
   motion::MotionGraph graph = motion::toy_graph(
-      {60, 60}, {motion::toy_passage({0, 55}, {0, 5}, 4), motion::toy_passage({0, 40}, {1, 8}, 4),
+      {60, 60}, {motion::toy_passage({0, 55}, {0, 5}, 4), motion::toy_passage({0, 30}, {1, 8}, 4),
+                 motion::toy_passage({0, 40}, {1, 8}, 4), motion::toy_passage({1, 30}, {1, 5}, 4),
                  motion::toy_passage({1, 55}, {1, 5}, 4)});
   graph.takes[0].label = "near";
   graph.takes[1].label = "far";
