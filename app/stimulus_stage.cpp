@@ -26,21 +26,6 @@ void look_at(const motion::MotionGraph& graph, const Look& look) {
   }
 }
 
-// How much higher the takes stand than figures do.
-double floor_level(const motion::MotionGraph& graph) {
-  std::vector<double> heights;
-  motion::WorldPose world;
-  look_at(graph, [&](const motion::Pose& pose) {
-    motion::forward_kinematics(graph.skeleton(), pose, world);
-    const auto height = [&](motion::BodyJoint toe) {
-      return world.positions(1, graph.body().joint[toe]);
-    };
-    heights.push_back(std::min(height(motion::left_toe), height(motion::right_toe)));
-  });
-  const double level = motion::quantile(std::move(heights), 0.05);
-  return level - std::clamp(level, least_toe_level, most_toe_level);
-}
-
 // Turned so that the hips face +Z.
 motion::Pose facing_ahead(const motion::MotionGraph& graph, motion::Pose pose) {
   const motion::WorldPose world = motion::forward_kinematics(graph.skeleton(), pose);
@@ -51,16 +36,6 @@ motion::Pose facing_ahead(const motion::MotionGraph& graph, motion::Pose pose) {
   pose.root = turn * pose.root;
   pose.rotations.front() = turn * pose.rotations.front();
   return pose;
-}
-
-Mannequin mannequin_of(const motion::MotionGraph& graph, double level_m) {
-  std::vector<motion::WorldPose> poses;
-  look_at(graph, [&](const motion::Pose& pose) {
-    motion::Pose ahead = facing_ahead(graph, pose);
-    ahead.root.y() -= level_m;
-    poses.push_back(motion::forward_kinematics(graph.skeleton(), ahead));
-  });
-  return make_mannequin(graph.skeleton(), graph.body(), poses);
 }
 
 Eigen::Vector2d pelvis_at(const motion::Take& take, int frame) {
@@ -87,6 +62,30 @@ Eigen::Vector2d fitted_at(const motion::Take& take, int frame) {
 }
 
 }  // namespace
+
+double floor_level(const motion::MotionGraph& graph) {
+  std::vector<double> heights;
+  motion::WorldPose world;
+  look_at(graph, [&](const motion::Pose& pose) {
+    motion::forward_kinematics(graph.skeleton(), pose, world);
+    const auto height = [&](motion::BodyJoint toe) {
+      return world.positions(1, graph.body().joint[toe]);
+    };
+    heights.push_back(std::min(height(motion::left_toe), height(motion::right_toe)));
+  });
+  const double level = motion::quantile(std::move(heights), 0.05);
+  return level - std::clamp(level, least_toe_level, most_toe_level);
+}
+
+Mannequin mannequin_of(const motion::MotionGraph& graph, double level_m) {
+  std::vector<motion::WorldPose> poses;
+  look_at(graph, [&](const motion::Pose& pose) {
+    motion::Pose ahead = facing_ahead(graph, pose);
+    ahead.root.y() -= level_m;
+    poses.push_back(motion::forward_kinematics(graph.skeleton(), ahead));
+  });
+  return make_mannequin(graph.skeleton(), graph.body(), poses);
+}
 
 Eigen::Matrix2Xd smooth_way(const motion::Take& take) {
   assert(take.frames() > 1 && "somebody goes somewhere");

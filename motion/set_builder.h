@@ -19,7 +19,7 @@ struct SetOptions {
   FigureOptions figure;
   std::string recipe;    // the file that asks for takes and cycles, for messages; may be empty
   std::string skeleton;  // label of the take whose bones the set has; empty: the mean of all
-  bool walk = true;      // false: every cycle is given, and feet stay as they are
+  bool walk = true;      // false: cycles are given, or loops of any kind; feet stay as they are
   std::vector<double> key_phases = {0, 0.4, 0.5, 0.9, 1};
   bool keep_takes = false;  // for pictures: BuiltSet::takes
 };

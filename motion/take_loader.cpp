@@ -36,7 +36,7 @@ void TakeLoader::load(const TakeSource& source) {
   try {
     const Take take = read(source);
     LoadedTake loaded{source, {}, 0, take.period, {}};
-    if (source.cycles.empty() && options_.walk) {
+    if (source.cycles.empty()) {
       find(take, loaded);
     } else {
       follow(take, loaded);
@@ -57,7 +57,8 @@ Take TakeLoader::read(const TakeSource& source) {
 
 void TakeLoader::find(const Take& take, LoadedTake& loaded) {
   FootContacts contacts = find_contacts(take);
-  const CycleSearch search = find_cycles(take, contacts, options_.search);
+  const CycleSearch search = options_.walk ? find_cycles(take, contacts, options_.search)
+                                           : find_any_loops(take, options_.search);
   loaded.found = static_cast<int>(search.candidates.size());
   if (search.candidates.empty()) loaded.refusal = "gives no cycle: " + search.refusal;
   for (const CycleCandidate& cycle : best_apart(search.candidates, options_.cycles_per_take)) {

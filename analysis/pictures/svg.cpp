@@ -58,6 +58,14 @@ void Svg::area(std::string_view path, std::string_view fill) {
   text_ += fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path, fill);
 }
 
+void Svg::open_frame(double x, double y, double scale) {
+  text_ += fmt::format(
+      "<g transform=\"translate({:.2f} {:.2f}) scale({:.5f})\" shape-rendering=\"crispEdges\">\n",
+      x, y, scale);
+}
+
+void Svg::close_frame() { text_ += "</g>\n"; }
+
 void Svg::bow(const Eigen::Vector2d& from, const Eigen::Vector2d& pull, const Eigen::Vector2d& to,
               std::string_view colour, double opacity) {
   text_ += fmt::format(

@@ -22,6 +22,9 @@ class Svg {
   void dot(double x, double y, double radius, std::string_view fill);
   // A path in SVG's own words, filled.
   void area(std::string_view path, std::string_view fill);
+  // What is drawn until it is closed has its origin there, and is so much larger.
+  void open_frame(double x, double y, double scale);
+  void close_frame();
   // From one place to another over a third that pulls it, as faint as `opacity` says.
   void bow(const Eigen::Vector2d& from, const Eigen::Vector2d& pull, const Eigen::Vector2d& to,
            std::string_view colour, double opacity);

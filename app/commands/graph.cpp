@@ -19,6 +19,8 @@ void add_graph_command(CLI::App& program) {
       program.add_subcommand("graph", "Motion graphs: transitions between captures, walks");
   command->require_subcommand(1);
   add_graph_build(*command);
+  add_graph_walk(*command);
+  add_graph_path(*command);
 }
 
 }  // namespace promenade::app

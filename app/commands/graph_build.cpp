@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "analysis/format.h"
+#include "analysis/pictures/distance_picture.h"
 #include "analysis/pictures/graph_picture.h"
 #include "app/commands/graph_parts.h"
 #include "app/commands/graph_sources.h"
@@ -170,7 +171,10 @@ void build(const Arguments& given) {
   if (!built.trouble.empty()) throw InputError(given.sources.names.front(), built.trouble);
   write_file(given.out, motion::to_bytes(built.graph));
   if (!given.pictures.empty()) {
-    write_files(given.pictures, {{"graph.svg", analysis::graph_picture(built)}});
+    write_files(
+        given.pictures,
+        {{"distances.svg", analysis::distance_picture(built, analysis::distances_of(built.graph))},
+         {"graph.svg", analysis::graph_picture(built)}});
   }
   if (given.json) return print_json(graph_json(built));
   print_text(graph_text(built, given.out));

@@ -1,6 +1,5 @@
 #include "motion/graph/clouds.h"
 
-#include <array>
 #include <cassert>
 
 #include "motion/body_mapping.h"
@@ -23,19 +22,19 @@ bool of_foot(int joint) {
   return joint == left_ankle || joint == left_toe || joint == right_ankle || joint == right_toe;
 }
 
-std::array<double, body_joint_count> body_weights() {
-  std::array<double, body_joint_count> mass{};
-  for (const Segment& segment : body_segments()) {
-    mass[nearest_joint(segment.proximal)] += segment.mass * (1 - segment.centre);
-    mass[nearest_joint(segment.distal)] += segment.mass * segment.centre;
-  }
-  for (std::size_t b = 0; b < mass.size(); ++b) {
-    if (of_foot(static_cast<int>(b))) mass[b] *= foot_emphasis;
-  }
-  return mass;
-}
-
 }  // namespace
+
+Eigen::VectorXd body_weights() {
+  Eigen::VectorXd mass = Eigen::VectorXd::Zero(body_joint_count);
+  for (const Segment& segment : body_segments()) {
+    mass(nearest_joint(segment.proximal)) += segment.mass * (1 - segment.centre);
+    mass(nearest_joint(segment.distal)) += segment.mass * segment.centre;
+  }
+  for (int b = 0; b < body_joint_count; ++b) {
+    if (of_foot(b)) mass(b) *= foot_emphasis;
+  }
+  return mass / mass.sum();
+}
 
 Clouds joint_clouds(const Clip& clip, bool z_up) {
   const int joints = clip.skeleton.size();
@@ -53,8 +52,10 @@ Clouds joint_clouds(const Clip& clip, bool z_up) {
 Eigen::VectorXd joint_weights(const Skeleton& skeleton, const BodyMap& body) {
   const double least = 0.01 / skeleton.size();
   Eigen::VectorXd weights = Eigen::VectorXd::Constant(skeleton.size(), least);
-  const auto mass = body_weights();
-  for (std::size_t b = 0; b < mass.size(); ++b) weights(body.joint[b]) += mass[b];
+  const Eigen::VectorXd mass = body_weights();
+  for (std::size_t b = 0; b < body_joint_count; ++b) {
+    weights(body.joint[b]) += mass(static_cast<Eigen::Index>(b));
+  }
   return weights / weights.sum();
 }
 

@@ -20,6 +20,9 @@ struct Clouds {
 // Every joint of the clip, in file units, with Y up ((x, z, -y) where Z is up); weights 1.
 Clouds joint_clouds(const Clip& clip, bool z_up);
 
+// 20, of the body's joints, sum 1: those of the next function for a skeleton that is the body.
+Eigen::VectorXd body_weights();
+
 // P = J, sum 1: each joint carries the mass of the segments that end at it (de Leva 1996), the
 // feet three times theirs, since sliding feet are what people see first. Joints beyond the
 // body carry a hundredth of the mean, so that no point is without weight.

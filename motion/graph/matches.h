@@ -27,9 +27,9 @@ struct LabelThreshold {
 };
 
 struct MatchOptions {
-  double threshold_m = 0.06;       // RMS
-  std::optional<double> quantile;  // instead: this share of all local minima, the best, 0 to 1
-  std::vector<LabelThreshold> labels;
+  double threshold_m = 0.06;            // RMS
+  std::optional<double> quantile = {};  // instead: this share of all local minima, the best, 0 to 1
+  std::vector<LabelThreshold> labels = {};
   double window_s = 1.0 / 3;
   bool tapered = false;   // frames in the middle of the window count more (Hann)
   double apart_s = 0.25;  // windows of one take that begin closer together are the same moment

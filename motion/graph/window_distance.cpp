@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/angles.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -47,6 +49,7 @@ WindowDistance window_distance(const Clouds& a, int i, const Clouds& b, int j,
   });
   PlanarMove& move = result.move;
   move.theta = std::atan2(sine, cosine);
+  if (move.theta <= -pi) move.theta = pi;  // half a turn has one name
   const Vector3d turned = moved(PlanarMove{move.theta, 0, 0}, mean_b);
   move.x0 = mean_a.x() - turned.x();
   move.z0 = mean_a.z() - turned.z();
