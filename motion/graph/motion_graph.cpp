@@ -44,6 +44,13 @@ std::vector<Passage> offered(const Matches& matches) {
   return passages;
 }
 
+void round_to_single(std::vector<Pose>& poses) {
+  for (Pose& pose : poses) {
+    pose.root = pose.root.cast<float>().cast<double>();
+    for (Eigen::Quaterniond& q : pose.rotations) q = q.cast<float>().cast<double>();
+  }
+}
+
 // Makes the transitions that are only placed so far; of each it says why it cannot be used, or
 // nothing.
 std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
@@ -61,6 +68,7 @@ std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
                                       placed.frames, placed.move);
     placed.move = made.move;
     placed.poses = std::move(made.poses);
+    round_to_single(placed.poses);
     placed.quality = made.quality;
     refusals[p] = std::move(made.refusal);
   };
