@@ -10,6 +10,7 @@ namespace promenade::app {
 void add_doctor_command(CLI::App& program);
 void add_set_command(CLI::App& program);
 void add_motion_command(CLI::App& program);
+void add_graph_command(CLI::App& program);
 void add_check_command(CLI::App& program);
 void add_plan_command(CLI::App& program);
 void add_roster_command(CLI::App& program);

@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   app::add_merge_command(program);
   app::add_set_command(program);
   app::add_motion_command(program);
+  app::add_graph_command(program);
   app::add_model_command(program);
   app::add_doctor_command(program);
   app::add_missing_commands(program);

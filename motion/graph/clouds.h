@@ -17,8 +17,10 @@ struct Clouds {
   }
 };
 
-// Every joint of the clip, in file units, with Y up ((x, z, -y) where Z is up); weights 1.
+// Every joint of the clip, in file units, with Y up ((x, z, -y) where Z is up); weights 1. The
+// second: of so many frames from `first` on.
 Clouds joint_clouds(const Clip& clip, bool z_up);
+Clouds joint_clouds(const Clip& clip, bool z_up, int first, int frames);
 
 // P = J, sum 1: each joint carries the mass of the segments that end at it (de Leva 1996), the
 // feet three times theirs, since sliding feet are what people see first. Joints beyond the
