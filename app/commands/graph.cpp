@@ -18,6 +18,7 @@ void add_graph_command(CLI::App& program) {
   CLI::App* command =
       program.add_subcommand("graph", "Motion graphs: transitions between captures, walks");
   command->require_subcommand(1);
+  add_graph_distance(*command);
   add_graph_build(*command);
   add_graph_walk(*command);
   add_graph_path(*command);

@@ -8,6 +8,7 @@
 
 namespace promenade::app {
 
+void add_graph_distance(CLI::App& graph_command);
 void add_graph_build(CLI::App& graph_command);
 void add_graph_walk(CLI::App& graph_command);
 void add_graph_path(CLI::App& graph_command);
