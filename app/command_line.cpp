@@ -27,6 +27,10 @@ Option Option::range(double least, double most) {
   return Option(option_->check(CLI::Range(least, most)));
 }
 
+Option Option::positive() { return Option(option_->check(CLI::PositiveNumber)); }
+
+Option Option::capture_default_str() { return Option(option_->capture_default_str()); }
+
 Option Option::needs(const Option& other) { return Option(option_->needs(other.option_)); }
 
 Option Option::excludes(const Option& other) { return Option(option_->excludes(other.option_)); }

@@ -28,6 +28,8 @@ class Option {
   Option range(int least, int most);
   Option range(std::int64_t least, std::int64_t most);
   Option range(double least, double most);
+  Option positive();  // a number above 0
+  Option capture_default_str();  // the help shows what the value is now
   Option needs(const Option& other);
   Option excludes(const Option& other);
   Option excludes(const std::string& name);

@@ -10,6 +10,7 @@ namespace promenade::app {
 void add_doctor_command(Command program);
 void add_set_command(Command program);
 void add_motion_command(Command program);
+void add_graph_command(Command program);
 void add_check_command(Command program);
 void add_plan_command(Command program);
 void add_roster_command(Command program);

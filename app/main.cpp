@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
   app::add_merge_command(root);
   app::add_set_command(root);
   app::add_motion_command(root);
+  app::add_graph_command(root);
   app::add_model_command(root);
   app::add_doctor_command(root);
   app::add_missing_commands(root);

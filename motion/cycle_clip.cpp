@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/zyx_angles.h"
+#include "motion/take_clip.h"
 
 namespace promenade::motion {
 namespace {
@@ -19,46 +19,19 @@ int frame_count(const Cycle& cycle) {
   return std::clamp(cycle.frames > 0 ? cycle.frames : static_cast<int>(made), 2, most_frames);
 }
 
-void set_channels(Clip& clip) {
-  using enum Channel;
-  int row = 0;
-  for (int j = 0; j < clip.skeleton.size(); ++j) {
-    JointChannels own{{z_rotation, y_rotation, x_rotation}, row};
-    if (j == 0) {
-      own.channels = {x_position, y_position, z_position, z_rotation, y_rotation, x_rotation};
-    }
-    row += static_cast<int>(own.channels.size());
-    clip.channels.push_back(std::move(own));
-  }
-}
-
 }  // namespace
 
 Clip cycle_clip(const MotionSet& set, const Cycle& cycle) {
-  Clip clip;
-  clip.file = cycle.name;
-  clip.format = "bvh";
-  clip.skeleton = set.skeleton;
-  clip.skeleton.joints[0].offset.setZero();
-  clip.unit_m = 1;
   const int frames = frame_count(cycle);
-  clip.frame_time = cycle.seconds / frames;
-  set_channels(clip);
-  clip.values.resize(3 + 3 * set.skeleton.size(), frames + 1);
+  Take take{cycle.name, set.skeleton, set.body, cycle.seconds / frames, {}, 0, 0};
   for (int f = 0; f <= frames; ++f) {
-    const double seconds = f * clip.frame_time;
+    const double seconds = f * take.frame_time;
     // The phase of the closing frame is that of the first, to the last bit.
-    const Pose pose = pose_at(set, cycle, f == frames ? 0 : phase_at(set, cycle, seconds));
-    auto values = clip.values.col(f);
-    values.head<3>() = pose.root + Vector3d(cycle.velocity.x(), 0, cycle.velocity.y()) * seconds;
-    for (int j = 0; j < set.skeleton.size(); ++j) {
-      const Eigen::Matrix3d rotation =
-          pose.rotations[static_cast<std::size_t>(j)].normalized().toRotationMatrix();
-      const Vector3d before = clip.values.col(std::max(f - 1, 0)).segment<3>(3 + 3 * j);
-      values.segment<3>(3 + 3 * j) = f == 0 ? zyx_angles(rotation) : zyx_angles(rotation, before);
-    }
+    Pose pose = pose_at(set, cycle, f == frames ? 0 : phase_at(set, cycle, seconds));
+    pose.root += Vector3d(cycle.velocity.x(), 0, cycle.velocity.y()) * seconds;
+    take.poses.push_back(std::move(pose));
   }
-  return clip;
+  return take_clip(take);
 }
 
 Clip repeated_clip(Clip clip, int times) {

@@ -5,16 +5,20 @@
 #include <cmath>
 #include <map>
 
+#include "motion/graph/loops.h"
+#include "motion/graph/window_distance.h"
+
 namespace promenade::motion {
 namespace {
 
 using Eigen::Vector3d;
 using Body = Eigen::Matrix<double, 3, body_joint_count>;
 
-constexpr double velocity_seconds = 0.08;  // what a gap in velocity weighs against one in position
-constexpr double least_overlap = 0.025;    // both feet on the ground, share of the cycle
-constexpr double most_overlap = 0.35;      // an old or sad walk has up to 0.2
-constexpr double most_wander = 0.15;       // leg lengths beside the way that an even turn goes
+constexpr double velocity_seconds = 0.08;   // what a gap in velocity weighs against one in position
+constexpr double window_seconds = 1.0 / 3;  // around either end of a loop
+constexpr double least_overlap = 0.025;     // both feet on the ground, share of the cycle
+constexpr double most_overlap = 0.35;       // an old or sad walk has up to 0.2
+constexpr double most_wander = 0.15;        // leg lengths beside the way that an even turn goes
 
 Body body_velocity(const Take& take, double frame) {
   const double last = take.frames() - 1;
@@ -130,6 +134,42 @@ std::optional<CycleCandidate> candidate_at(const Take& take, const FootContacts&
   return cycle;
 }
 
+void note_gap(const Take& take, CycleCandidate& cycle) {
+  const PoseGap gap = pose_gap(take, cycle.first(), cycle.keys.back());
+  cycle.turn = gap.turn;
+  cycle.loop_error_m = gap.position_m;
+  cycle.velocity_gap = gap.velocity_m_s;
+}
+
+// The body around a frame, in steps of a frame or more, from `before` of them to `after`.
+Clouds clouds_around(const Take& take, const Eigen::VectorXd& weights, double frame, double step,
+                     int before, int after) {
+  Clouds clouds;
+  clouds.weights = weights;
+  clouds.points.resize(3, body_joint_count * Eigen::Index{before + after + 1});
+  for (int p = -before; p <= after; ++p) {
+    clouds.points.middleCols<body_joint_count>(body_joint_count * Eigen::Index{before + p}) =
+        body_at(take, frame + p * step);
+  }
+  return clouds;
+}
+
+// How unlike the moments around both ends of a loop are.
+double window_distance_m(const Take& take, const Eigen::VectorXd& weights, double first,
+                         double last) {
+  const double half = 0.5 * window_seconds / take.frame_time;
+  const int steps = std::clamp(static_cast<int>(half), 1, 5);
+  const double step = half / steps;
+  const auto room = [step, steps](double frames) {
+    return std::min(static_cast<int>(frames / step + 1e-9), steps);
+  };
+  const int before = room(first), after = room(take.frames() - 1 - last);
+  const std::vector<double> taper(static_cast<std::size_t>(before + after + 1), 1);
+  const Clouds a = clouds_around(take, weights, first, step, before, after);
+  const Clouds b = clouds_around(take, weights, last, step, before, after);
+  return window_distance(a, 0, b, before + after, taper).rms();
+}
+
 // The end moves by up to two frames to where the loop closes best: an instant of
 // leaving is known no better than that.
 void refine_end(const Take& take, CycleCandidate& cycle) {
@@ -140,17 +180,16 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
     const double end = detected + reach * step / 8;
     if (end > take.frames() - 1.0) continue;
     const PoseGap gap = pose_gap(take, cycle.keys.front(), end);
-    const double score = std::hypot(gap.position_m, velocity_seconds * gap.velocity_m_s);
-    if (score >= best) continue;
-    best = score;
+    const double unlike = std::hypot(gap.position_m, velocity_seconds * gap.velocity_m_s);
+    if (unlike >= best) continue;
+    best = unlike;
     cycle.keys.back() = end;
-    cycle.turn = gap.turn;
-    cycle.loop_error_m = gap.position_m;
-    cycle.velocity_gap = gap.velocity_m_s;
   }
+  cycle.window_m = window_distance_m(take, body_weights(), cycle.first(), cycle.keys.back());
+  note_gap(take, cycle);
   cycle.straightness = straightness_of(take, cycle);
   cycle.keys[3] = std::min(cycle.keys[3], cycle.keys.back() - least_overlap * cycle.length());
-  cycle.score = best + 0.1 * std::abs(cycle.turn);
+  cycle.score = cycle.window_m + 0.1 * std::abs(cycle.turn);
 }
 
 double median_length(const std::vector<CycleCandidate>& cycles) {
@@ -222,6 +261,33 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
   return search;
 }
 
+CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
+  LoopOptions wanted;
+  wanted.threshold_m = options.most_loop_error_m;
+  CycleSearch search;
+  int turning = 0;
+  const double half = 0.5 * (std::round(wanted.window_s / take.frame_time) - 1);
+  for (const Match& loop : find_loops(take, wanted)) {
+    // In the middle of the windows, which are alike as a whole.
+    CycleCandidate cycle = given_cycle(take, {loop.start_a + half, loop.start_b + half});
+    cycle.window_m = loop.rms_m;
+    if (std::abs(cycle.turn) > options.most_turn) {
+      ++turning;
+      continue;
+    }
+    cycle.score = cycle.window_m * cycle.length();
+    search.candidates.push_back(std::move(cycle));
+  }
+  if (turning > 0) search.refusal = std::to_string(turning) + " turn";
+  if (search.candidates.empty() && turning == 0) {
+    search.refusal = "it is nowhere like itself half a second to four seconds later";
+  }
+  std::stable_sort(
+      search.candidates.begin(), search.candidates.end(),
+      [](const CycleCandidate& a, const CycleCandidate& b) { return a.score < b.score; });
+  return search;
+}
+
 std::string trouble_with_keys(const Take& take, const std::vector<double>& keys) {
   if (keys.size() < 2 || keys.front() < 0 || keys.back() > take.frames() - 1.0) {
     return "has frames " + std::to_string(take.first_frame) + " to " +
@@ -238,10 +304,8 @@ CycleCandidate given_cycle(const Take& take, std::vector<double> keys) {
   assert(trouble_with_keys(take, keys).empty() && "keytimes of the take");
   CycleCandidate cycle;
   cycle.keys = std::move(keys);
-  const PoseGap gap = pose_gap(take, cycle.first(), cycle.keys.back());
-  cycle.turn = gap.turn;
-  cycle.loop_error_m = gap.position_m;
-  cycle.velocity_gap = gap.velocity_m_s;
+  cycle.window_m = window_distance_m(take, body_weights(), cycle.first(), cycle.keys.back());
+  note_gap(take, cycle);
   cycle.straightness = straightness_of(take, cycle);
   return cycle;
 }

@@ -1,5 +1,6 @@
 // All loops that a take offers, from one right foot off to the next, and how well
-// each closes.
+// each closes: by the take's distance from itself, of the windows of a third of a second around
+// both ends ([K] 3.1), which sees place, speed and what comes next at once.
 #pragma once
 
 #include "motion/foot_contacts.h"
@@ -14,6 +15,7 @@ struct CycleCandidate {
   double straightness = 1;  // way of the pelvis from end to end over the way it walked
   double loop_error_m = 0;  // gap of the joints, the last pose laid over the first; RMS
   double velocity_gap = 0;  // m/s, the same of their velocities
+  double window_m = 0;      // distance of the windows around both ends (motion/graph), RMS
   double score = 0;         // metres; less is better
 
   double first() const { return keys.front(); }
@@ -32,6 +34,10 @@ struct CycleSearch {
 
 CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
                         const SearchOptions& options = {});
+
+// Loops of any motion, walk or not, where the take is like itself a while later: two keytimes each,
+// first and last. Of loops that are as good the shorter comes first: twice around is a loop, too.
+CycleSearch find_any_loops(const Take& take, const SearchOptions& options = {});
 
 // Why these keytimes (frames of the take) are no cycle of it: outside of the take, or not
 // ascending. Empty: they are.

@@ -162,4 +162,11 @@ ScannedNumber to_number(std::string_view word) {
   return number;
 }
 
+std::string short_number(double value, int digits) {
+  char text[64];
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, digits).ptr;
+  return {text, end};
+}
+
 }  // namespace promenade::motion

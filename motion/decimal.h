@@ -1,7 +1,8 @@
-// Decimal numbers out of text: the nearest double, whatever the locale.
+// Decimal numbers out of text, the nearest double, and into it, whatever the locale.
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace promenade::motion {
@@ -23,5 +24,8 @@ struct DecimalRun {
 // Takes numbers from [first, last), at most so many, into `out` (nowhere if null). Stops at
 // the end of the line and before a word that is no plain finite number.
 DecimalRun read_decimals(const char* first, const char* last, double* out, std::size_t most);
+
+// For people: 0.0586 with three significant digits.
+std::string short_number(double value, int digits);
 
 }  // namespace promenade::motion

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/heel.h"
 #include "motion/leg_ik.h"
 #include "motion/quantile.h"
 
@@ -22,6 +21,7 @@ using BodyCourse = std::vector<Eigen::Matrix<double, 3, body_joint_count>>;
 // The points of a foot over time.
 struct FootPath {
   std::vector<Eigen::Vector3d> ankle, toe, heel;
+  Heel shape;
   double ankle_low = 0, toe_low = 0;  // where they stand
 };
 
@@ -39,9 +39,9 @@ FootPath find_path(const BodyCourse& body, const LegJoints& leg) {
   path.toe_low = quantile(toe_height, 0.05);
   const double length = quantile(lengths, 0.5), drop = path.toe_low - path.ankle_low;
   const double ahead = std::sqrt(std::max(length * length - drop * drop, 0.0));
-  const Heel heel = find_heel(Eigen::Vector3d::Zero(), Eigen::Vector3d(0, drop, ahead));
+  path.shape = find_heel(Eigen::Vector3d::Zero(), Eigen::Vector3d(0, drop, ahead));
   for (std::size_t f = 0; f < body.size(); ++f) {
-    path.heel.push_back(heel_position(heel, path.ankle[f], path.toe[f]));
+    path.heel.push_back(heel_position(path.shape, path.ankle[f], path.toe[f]));
   }
   return path;
 }
@@ -61,9 +61,8 @@ double speed_from(const FootPath& path, std::size_t f, double frame_time) {
   return least;
 }
 
-FootCourse find_course(const BodyCourse& body, double frame_time, Side side) {
-  const FootPath path = find_path(body, leg_joints(side));
-  const std::size_t last = body.size() - 1;
+FootCourse find_course(const FootPath& path, double frame_time) {
+  const std::size_t last = path.ankle.size() - 1;
   FootCourse course;
   for (std::size_t f = 0; f <= last; ++f) {
     const std::size_t a = f > 0 ? f - 1 : 0, b = std::min(f + 1, last);
@@ -154,9 +153,13 @@ double median_overlap(const std::vector<Stance>& a, const std::vector<Stance>& b
 FootContacts find_contacts(const Take& take) {
   BodyCourse body;
   for (int f = 0; f < take.frames(); ++f) body.push_back(body_at(take, f));
+  const FootPath left_path = find_path(body, leg_joints(Side::left));
+  const FootPath right_path = find_path(body, leg_joints(Side::right));
   FootContacts contacts;
-  contacts.left_course = find_course(body, take.frame_time, Side::left);
-  contacts.right_course = find_course(body, take.frame_time, Side::right);
+  contacts.left_heel = left_path.shape;
+  contacts.right_heel = right_path.shape;
+  contacts.left_course = find_course(left_path, take.frame_time);
+  contacts.right_course = find_course(right_path, take.frame_time);
   const FootCourse &left = contacts.left_course, &right = contacts.right_course;
   const double swing = 0.5 * (quantile(left.speed, 0.95) + quantile(right.speed, 0.95));
   const double low = 0.07 * leg_length(take.skeleton, take.body);
@@ -170,8 +173,13 @@ FootContacts find_contacts(const Take& take) {
   }
   const double slow = touch_down_share * swing;
   const double band = floor_band * leg_length(take.skeleton, take.body);
-  for (Stance& stance : contacts.left) stance.on = touch_down(left, stance, slow, band);
-  for (Stance& stance : contacts.right) stance.on = touch_down(right, stance, slow, band);
+  for (auto* foot : {&contacts.left, &contacts.right}) {
+    const FootCourse& course = foot == &contacts.left ? left : right;
+    for (Stance& stance : *foot) {
+      stance.still = stance.on;
+      stance.on = touch_down(course, stance, slow, band);
+    }
+  }
   return contacts;
 }
 

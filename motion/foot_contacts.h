@@ -8,13 +8,16 @@
 // plates show 10: a foot that moves cannot be planted.
 #pragma once
 
+#include "motion/heel.h"
 #include "motion/take.h"
 
 namespace promenade::motion {
 
-// In frames of the take, between frames where the speed says so.
+// In frames of the take, between frames where the speed says so. Between `on` and `still` the
+// foot lands: it turns about its heel and slides a little.
 struct Stance {
   double on = 0, off = 0;
+  double still = 0;
 };
 
 // One foot over the frames of a take (T each): the slower of ankle and toe, and how far
@@ -27,6 +30,7 @@ struct FootCourse {
 struct FootContacts {
   std::vector<Stance> left, right;  // in order of time; those cut by an end of the take as well
   FootCourse left_course, right_course;
+  Heel left_heel, right_heel;
   double still_m_s = 0;  // below this speed a point of the foot stands
 };
 

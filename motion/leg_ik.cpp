@@ -9,25 +9,39 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Never quite straight: a straight knee has no side to bend to.
+// Never quite straight, but for knees that are: a straight knee has no side to bend to.
 constexpr double least_bend = 0.04;  // radians
 
-struct Hinge {
-  Vector3d axis;      // of the knee, world, length 1
-  double bend = 0;    // radians from a straight leg, measured about the axis
-  double wanted = 0;  // the bend at which the ankle is as far from the hip as wanted
+struct Leg {
+  int hip, knee, foot;    // joints
+  Vector3d thigh, shank;  // hip to knee, knee to ankle, world
+  Vector3d axis;          // of the knee, world, length 1
+
+  // Seen along the axis.
+  Vector3d upper() const { return thigh - axis * thigh.dot(axis); }
+  Vector3d lower() const { return shank - axis * shank.dot(axis); }
+
+  // Radians from a straight leg, measured about the axis.
+  double bend() const { return std::atan2(upper().cross(lower()).dot(axis), upper().dot(lower())); }
+  // The bend at which the ankle is so far from the hip.
+  double bend_at(double distance) const {
+    const double along = thigh.dot(axis) * shank.dot(axis);
+    const double span = upper().norm() * lower().norm();
+    const double dot = 0.5 * (distance * distance - thigh.squaredNorm() - shank.squaredNorm());
+    const double least = std::clamp(bend(), 0.0, least_bend);
+    return std::acos(std::clamp((dot - along) / span, -1.0, std::cos(least)));
+  }
 };
 
-Hinge find_hinge(const Vector3d& axis, const Vector3d& thigh, const Vector3d& shank,
-                 double distance) {
-  const double along = thigh.dot(axis) * shank.dot(axis);
-  const Vector3d upper = thigh - axis * thigh.dot(axis);
-  const Vector3d lower = shank - axis * shank.dot(axis);
-  const double span = upper.norm() * lower.norm();
-  Hinge hinge{axis, std::atan2(upper.cross(lower).dot(axis), upper.dot(lower)), 0};
-  const double dot = 0.5 * (distance * distance - thigh.squaredNorm() - shank.squaredNorm());
-  hinge.wanted = std::acos(std::clamp((dot - along) / span, -1.0, std::cos(least_bend)));
-  return hinge;
+Leg find_leg(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
+             const WorldPose& world) {
+  const LegJoints joints = leg_joints(side);
+  Leg leg{body.joint[joints.hip], body.joint[joints.knee], body.joint[joints.ankle], {}, {}, {}};
+  leg.thigh = world.positions.col(leg.knee) - world.positions.col(leg.hip);
+  leg.shank = world.positions.col(leg.foot) - world.positions.col(leg.knee);
+  const int above = skeleton.joints[static_cast<std::size_t>(leg.knee)].parent;
+  leg.axis = world.rotations[static_cast<std::size_t>(above)] * axis;
+  return leg;
 }
 
 }  // namespace
@@ -54,19 +68,22 @@ Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
   return sum.norm() > 0 ? sum.normalized() : Vector3d::UnitX();
 }
 
+double knee_bend(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
+                 const WorldPose& world) {
+  return find_leg(skeleton, body, side, axis, world).bend();
+}
+
 void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
                const FootTarget& target, Pose& pose) {
-  const WorldPose world = forward_kinematics(skeleton, pose);
-  const LegJoints leg = leg_joints(side);
-  const int hip = body.joint[leg.hip], knee = body.joint[leg.knee], foot = body.joint[leg.ankle];
-  const auto at = [&](int joint) -> Vector3d { return world.positions.col(joint); };
-  const Vector3d thigh = at(knee) - at(hip), shank = at(foot) - at(knee);
-  const Vector3d wanted = target.ankle - at(hip);
-  const auto thigh_joint =
-      static_cast<std::size_t>(skeleton.joints[static_cast<std::size_t>(knee)].parent);
-  const Hinge hinge = find_hinge(world.rotations[thigh_joint] * axis, thigh, shank, wanted.norm());
-  const Quaterniond at_knee(Eigen::AngleAxisd(hinge.wanted - hinge.bend, hinge.axis));
-  const Quaterniond at_hip = Quaterniond::FromTwoVectors(thigh + at_knee * shank, wanted);
+  move_foot(skeleton, body, side, axis, target, forward_kinematics(skeleton, pose), pose);
+}
+
+void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side, const Vector3d& axis,
+               const FootTarget& target, const WorldPose& world, Pose& pose) {
+  const Leg leg = find_leg(skeleton, body, side, axis, world);
+  const Vector3d wanted = target.ankle - world.positions.col(leg.hip);
+  const Quaterniond at_knee(Eigen::AngleAxisd(leg.bend_at(wanted.norm()) - leg.bend(), leg.axis));
+  const Quaterniond at_hip = Quaterniond::FromTwoVectors(leg.thigh + at_knee * leg.shank, wanted);
 
   const auto turned = [&](int joint) { return world.rotations[static_cast<std::size_t>(joint)]; };
   const auto parent = [&](int joint) {
@@ -75,9 +92,9 @@ void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side, const V
   const auto set = [&](int joint, const Quaterniond& above, const Quaterniond& own) {
     pose.rotations[static_cast<std::size_t>(joint)] = (above.conjugate() * own).normalized();
   };
-  set(hip, parent(hip), at_hip * turned(hip));
-  set(knee, at_hip * parent(knee), at_hip * at_knee * turned(knee));
-  set(foot, at_hip * at_knee * parent(foot), target.rotation);
+  set(leg.hip, parent(leg.hip), at_hip * turned(leg.hip));
+  set(leg.knee, at_hip * parent(leg.knee), at_hip * at_knee * turned(leg.knee));
+  set(leg.foot, at_hip * at_knee * parent(leg.foot), target.rotation);
 }
 
 }  // namespace promenade::motion

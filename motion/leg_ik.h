@@ -17,6 +17,10 @@ LegJoints leg_joints(Side side);
 Eigen::Vector3d knee_axis(const Skeleton& skeleton, const BodyMap& body, Side side,
                           const std::vector<Pose>& poses);
 
+// How far the knee is bent about that axis, radians; 0 is straight.
+double knee_bend(const Skeleton& skeleton, const BodyMap& body, Side side,
+                 const Eigen::Vector3d& axis, const WorldPose& world);
+
 // Where an ankle is wanted, and how the foot is turned there, both in the world.
 struct FootTarget {
   Eigen::Vector3d ankle;  // metres
@@ -27,5 +31,11 @@ struct FootTarget {
 // the leg reaches. The knee turns about `axis` only and never beyond straight.
 void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side,
                const Eigen::Vector3d& axis, const FootTarget& target, Pose& pose);
+
+// The same where it is known what `pose` looks like (both legs moved or not: neither hangs from
+// the other).
+void move_foot(const Skeleton& skeleton, const BodyMap& body, Side side,
+               const Eigen::Vector3d& axis, const FootTarget& target, const WorldPose& world,
+               Pose& pose);
 
 }  // namespace promenade::motion

@@ -7,8 +7,7 @@
 #include "motion/cycle_search.h"
 #include "motion/foot_measures.h"
 #include "motion/foot_plant.h"
-#include "motion/load_clip.h"
-#include "motion/place.h"
+#include "motion/take_source.h"
 
 namespace promenade::motion {
 
@@ -20,30 +19,9 @@ struct SetOptions {
   FigureOptions figure;
   std::string recipe;    // the file that asks for takes and cycles, for messages; may be empty
   std::string skeleton;  // label of the take whose bones the set has; empty: the mean of all
-  bool walk = true;      // false: every cycle is given, and feet stay as they are
+  bool walk = true;      // false: cycles are given, or loops of any kind; feet stay as they are
   std::vector<double> key_phases = {0, 0.4, 0.5, 0.9, 1};
   bool keep_takes = false;  // for pictures: BuiltSet::takes
-};
-
-// A cycle that somebody chose, in frames of the file: first, between, last.
-struct GivenCycle {
-  std::string name;            // empty: the style and a number
-  std::vector<double> frames;  // as many as the set has key phases
-  Place place = {};            // in the recipe
-};
-
-// A capture to be read, and what it is called.
-struct TakeSource {
-  std::string file;   // to open; takes are handled in the order of their labels
-  std::string label;  // as the set names it
-  std::string style;
-  std::string sha256 = {};              // of the file, for the set's records
-  std::optional<int> from = {};         // frames that are used, both included, counted from 0
-  std::optional<int> to = {};           // beyond the end: to the end
-  LoadOptions load = {};                // skeleton and frame rate of an .amc
-  FigureOptions figure = {};            // where given, instead of the set's
-  std::vector<GivenCycle> cycles = {};  // none: they are found
-  Place place = {};                     // in the recipe
 };
 
 // A take as pictures show it.

@@ -30,33 +30,13 @@ Cut cut_out(const Take& take, const CycleCandidate& cycle, const std::string& na
   return cut;
 }
 
-// What is wrong with a file, said at the place that asked for it.
-Problem asked_at(const std::string& recipe, const Place& place, const TakeSource& source,
-                 const std::string& message) {
-  if (place.line == 0) return {source.file, 0, 0, message, Severity::error};
-  return {recipe, place.line, place.column, source.label + " " + message, Severity::error};
-}
-
-// The frames of a take that the recipe wants.
-Take wanted_part(Take take, const TakeSource& source, const std::string& recipe) {
-  const int last = take.frames() - 1;
-  const int from = source.from.value_or(0), to = std::min(source.to.value_or(last), last);
-  if (from > to) {
-    throw InputError({asked_at(recipe, source.place, source,
-                               "has only " + std::to_string(take.frames()) +
-                                   " frames, so none from frame " + std::to_string(from))});
-  }
-  if (from == 0 && to == last) return take;
-  return part(take, from, to);
-}
-
 }  // namespace
 
 void TakeLoader::load(const TakeSource& source) {
   try {
     const Take take = read(source);
     LoadedTake loaded{source, {}, 0, take.period, {}};
-    if (source.cycles.empty() && options_.walk) {
+    if (source.cycles.empty()) {
       find(take, loaded);
     } else {
       follow(take, loaded);
@@ -69,22 +49,16 @@ void TakeLoader::load(const TakeSource& source) {
 }
 
 Take TakeLoader::read(const TakeSource& source) {
-  FigureOptions figure_options = source.figure;
-  if (!figure_options.unit_m) figure_options.unit_m = options_.figure.unit_m;
-  if (!figure_options.z_up) figure_options.z_up = options_.figure.z_up;
-  const Clip clip = load_clip(source.file, source.load);
-  const Figure figure = find_figure(clip, figure_options);
-  for (const auto& list : {clip.warnings, figure.notes}) {
-    built_.warnings.insert(built_.warnings.end(), list.begin(), list.end());
-  }
-  Take take = wanted_part(make_take(clip, figure), source, options_.recipe);
-  if (!source.cycles.empty()) return take;
-  return unrolled(std::move(take));
+  ReadTake read = read_take(source, {options_.recipe, options_.figure});
+  built_.warnings.insert(built_.warnings.end(), read.warnings.begin(), read.warnings.end());
+  if (!source.cycles.empty()) return std::move(read.take);
+  return unrolled(std::move(read.take));
 }
 
 void TakeLoader::find(const Take& take, LoadedTake& loaded) {
   FootContacts contacts = find_contacts(take);
-  const CycleSearch search = find_cycles(take, contacts, options_.search);
+  const CycleSearch search = options_.walk ? find_cycles(take, contacts, options_.search)
+                                           : find_any_loops(take, options_.search);
   loaded.found = static_cast<int>(search.candidates.size());
   if (search.candidates.empty()) loaded.refusal = "gives no cycle: " + search.refusal;
   for (const CycleCandidate& cycle : best_apart(search.candidates, options_.cycles_per_take)) {

@@ -214,14 +214,14 @@ void read_key_phases(const TomlTable& root, Recipe& recipe) {
   recipe.options.key_phases = std::move(phases);
 }
 
-// Given cycles need as many keytimes as the set has; other motions than walks need cycles.
+// Given cycles need as many keytimes as the set has, and so do those that are found.
 void check_cycles(const TomlTable& root, const Recipe& recipe) {
   const std::size_t keys = recipe.options.walk ? walk_keys : recipe.options.key_phases.size();
   for (const TakeSource& take : recipe.takes) {
-    if (take.cycles.empty() && !recipe.options.walk) {
+    if (take.cycles.empty() && !recipe.options.walk && keys > 2) {
       const std::string message = take.label +
-                                  " needs a [[take.cycle]]: cycles of other motions than walks "
-                                  "cannot be found";
+                                  " needs a [[take.cycle]]: keytimes of other motions than walks "
+                                  "cannot be found, only loops without any between";
       if (take.place.line > 0) {
         root.reader().add(take.place, message);
       } else {

@@ -4,7 +4,7 @@
 namespace promenade::app {
 
 void add_missing_commands(Command program) {
-  for (const char* name : {"monitor", "graph"}) {
+  for (const char* name : {"monitor"}) {
     Command command = program.add_subcommand(name, "(not in this version yet)");
     command.allow_extras();
     command.callback([name] {

@@ -160,6 +160,30 @@ TEST(BuildSet, TakesAnyCycleThatIsGiven) {
   EXPECT_EQ(to_bytes(from_bytes(to_bytes(built.set), "x.set")), to_bytes(built.set));
 }
 
+TEST(BuildSet, FindsTheLoopOfAnyMotionWhereItIsLikeItself) {
+  SetOptions options = in_metres();
+  options.walk = false;
+  options.key_phases = {0, 1};
+  const BuiltSet built = build_set({{squats(), "squat.bvh", "squat"}}, options);
+  ASSERT_EQ(built.set.size(), 1);
+  const Cycle& cycle = built.set.cycles[0];
+  EXPECT_EQ(cycle.frames, 40);  // once around, though twice is a loop as well
+  EXPECT_LT(cycle.loop_error_m, 1e-6);
+  EXPECT_GT(cycle.origin.cycles_found, 1);
+}
+
+TEST(BuildSet, SaysThatAMotionNeverComesBack) {
+  Clip clip = walker_clip(walkers(), walkers().cycles[0], 1);
+  clip.values.conservativeResize(Eigen::NoChange, 60);
+  for (int f = 0; f < 60; ++f) clip.values(1, f) -= 0.01 * f;  // sinks and sinks
+  const std::string file = own_file("sinks.bvh");
+  write_file(file, bvh_text(clip));
+  SetOptions options = in_metres();
+  options.walk = false;
+  options.key_phases = {0, 1};
+  EXPECT_THROW(build_set({{file, "sinks.bvh", "sinks"}}, options), InputError);
+}
+
 TEST(BuildSet, NamesEveryGivenCycleThatCannotBe) {
   TakeSource source = recorded(0);
   source.cycles = {{"a", {0, 1, 2, 3, 9999}, {7, 1}}, {"b", {-5, 1, 2, 3, 4}, {9, 1}}};

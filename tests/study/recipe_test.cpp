@@ -116,9 +116,9 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
       {"[[take]]\nfile = 'a.bvh'\n[[take.cycle]]\nfirst = 5\nlast = 25\nkeytimes = [9]\n",
        "r.toml:6:1: error: the cycle needs 3 keytimes between first and last: right foot on, left "
        "off, left on"},
-      {"motion = 'other'\n[[take]]\nfile = 'a.bvh'\n",
-       "r.toml:5:1: error: a.bvh needs a [[take.cycle]]: cycles of other motions than walks cannot "
-       "be found"},
+      {"motion = 'other'\nkey_phases = [0, 0.5, 1]\n[[take]]\nfile = 'a.bvh'\n",
+       "r.toml:6:1: error: a.bvh needs a [[take.cycle]]: keytimes of other motions than walks cannot "
+       "be found, only loops without any between"},
       {"motion = 'other'\nkey_phases = [0, 0.6, 0.5, 1]\n[[take]]\nfile = 'a.bvh'\n"
        "[[take.cycle]]\nfirst = 1\nlast = 9\n",
        "r.toml:5:14: error: must ascend from 0 to 1\n"

@@ -1,0 +1,25 @@
+#include "analysis/pictures/label_colours.h"
+
+#include <algorithm>
+#include <array>
+
+namespace promenade::analysis {
+
+LabelColours::LabelColours(const motion::MotionGraph& graph) {
+  for (const motion::GraphTake& take : graph.takes) labels_.push_back(take.label);
+  std::sort(labels_.begin(), labels_.end());
+  labels_.erase(std::unique(labels_.begin(), labels_.end()), labels_.end());
+}
+
+int LabelColours::number(const std::string& label) const {
+  return static_cast<int>(std::lower_bound(labels_.begin(), labels_.end(), label) -
+                          labels_.begin());
+}
+
+std::string LabelColours::colour(const std::string& label) const {
+  static constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#a03a78",
+                                         "#8a6d00", "#3a86b8", "#555555", "#7a4fb5"};
+  return colours[static_cast<std::size_t>(number(label)) % colours.size()];
+}
+
+}  // namespace promenade::analysis

@@ -1,0 +1,131 @@
+// `promenade graph path`: a walk along a motion graph that follows a path over the ground.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/commands/graph_parts.h"
+#include "motion/files.h"
+#include "motion/graph/path_walk.h"
+#include "study/path_csv.h"
+
+namespace promenade::app {
+namespace {
+
+struct Arguments {
+  std::string graph, path, out, picture;
+  motion::PathWalkOptions options;
+  bool smooth = false, json = false;
+};
+
+// Metres of the way at each point.
+std::vector<double> reached(const Eigen::Matrix2Xd& points) {
+  std::vector<double> metres = {0};
+  for (Eigen::Index p = 1; p < points.cols(); ++p) {
+    metres.push_back(metres.back() + (points.col(p) - points.col(p - 1)).norm());
+  }
+  return metres;
+}
+
+// Where the table names a style: from its point to the next that names another, or none.
+std::vector<motion::PathPart> parts_of(const study::PathTable& table) {
+  const std::vector<double> metres = reached(table.points);
+  std::vector<motion::PathPart> parts;
+  std::string label;
+  for (std::size_t p = 0; p < table.labels.size(); ++p) {
+    if (table.labels[p] == label) continue;
+    if (!label.empty()) parts.back().to_m = metres[p];
+    label = table.labels[p];
+    if (!label.empty()) parts.push_back({metres[p], metres.back(), label});
+  }
+  return parts;
+}
+
+std::string note_of(const motion::PathWalk& found, const motion::GroundPath& path) {
+  return fmt::format(
+      "{:.1f} m wanted, {:.1f} m walked; {:.2f} m from it on the average (RMS), {:.2f} m at most",
+      path.length(), found.walked_m, found.rms_m, found.farthest_m);
+}
+
+Json path_json(const motion::MotionGraph& graph, const motion::PathWalk& found,
+               const motion::GroundPath& path) {
+  Json json = walk_json(graph, found.walk);
+  json["path_m"] = path.length();
+  json["walked_m"] = found.walked_m;
+  json["frames_on_path"] = found.frames;
+  json["cost_m2"] = found.cost_m2;
+  json["rms_m"] = found.rms_m;
+  json["farthest_m"] = found.farthest_m;
+  json["frames_of_other_labels"] = found.other_label;
+  json["complete"] = found.complete;
+  json["stopped"] = found.stopped;
+  json["edges_visited"] = found.visited;
+  return json;
+}
+
+void follow(const Arguments& given) {
+  const motion::MotionGraph graph = load_graph(given.graph);
+  const study::PathTable table = study::parse_path(read_file(given.path), given.path);
+  motion::PathWalkOptions options = given.options;
+  options.parts = parts_of(table);
+  const motion::GroundPath path(given.smooth ? motion::smooth_path(table.points) : table.points,
+                                given.path);
+  if (given.smooth) {
+    // The smooth way is a little longer.
+    const double longer = path.length() / motion::GroundPath(table.points, given.path).length();
+    for (motion::PathPart& part : options.parts) {
+      part.from_m *= longer;
+      part.to_m *= longer;
+    }
+  }
+  const motion::PathWalk found =
+      motion::walk_along(graph, path, options, [](const motion::GraphWalk&, double share) {
+        show_progress("walking along the path, %", static_cast<int>(100 * share), 100);
+        return !interrupted();
+      });
+  if (found.walk.edges.empty()) {
+    throw OutsideError("stopped before any of the path was walked; nothing is written");
+  }
+  const std::string note = note_of(found, path);
+  write_walk({graph, found.walk, "A walk along a path, out of " + graph.name, note, path.corners()},
+             given.out, given.picture);
+  if (found.stopped) print_note("stopped; the walk so far is written");
+  if (given.json) return print_json(path_json(graph, found, path));
+  print_text(walk_text(graph, found.walk, given.out) + note + "\n" +
+             (found.complete ? "every horizon was searched to its end\n"
+                             : "some horizons were not searched to their end: --most-edges\n"));
+}
+
+}  // namespace
+
+void add_graph_path(Command graph_command) {
+  Command command = graph_command.add_subcommand(
+      "path", "A walk along a motion graph that follows a path over the ground");
+  const auto given = std::make_shared<Arguments>();
+  motion::PathWalkOptions& options = given->options;
+  command.add_option("graph", given->graph, "A file that `graph build` wrote").required();
+  command
+      .add_option("--path", given->path,
+                  "Its points: a table (.csv) with columns x and z in metres, and label where a "
+                  "style is wanted from there on")
+      .required();
+  command.add_option("--out", given->out, "The capture to write (.bvh)").required();
+  command.add_flag("--smooth", given->smooth, "Walk a smooth curve through the points");
+  command.add_option("--start", options.start_label, "The label to begin with");
+  command.add_option("--horizon", options.horizon_s, "How far the search looks ahead, seconds")
+      .range(0.2, 60.0)
+      .capture_default_str();
+  command.add_option("--keep", options.kept_s, "How much of it is kept, seconds")
+      .range(0.1, 60.0)
+      .capture_default_str();
+  command
+      .add_option("--most-edges", options.most_edges,
+                  "Edges to look at within a horizon before the best so far is taken")
+      .range(std::int64_t{1}, std::int64_t{10'000'000'000})
+      .capture_default_str();
+  command.add_option("--picture", given->picture,
+                     "A picture (.svg) of the path and of the way that is walked");
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { follow(*given); });
+}
+
+}  // namespace promenade::app
