@@ -78,7 +78,7 @@ SessionView::SessionView(const study::StudyBundle& bundle, const study::Interfac
       language_(options.language.empty() ? bundle.study.languages.front() : options.language),
       captions_(captions_in(language_, bundle)),
       languages_(offered(bundle)),
-      stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
+      stage_(bundle.space.set, bundle.bank, bundle.study.display.travels, bundle.study.stimuli),
       content_{bundle.space, captions_, &stage_.small_figures()},
       average_(motion::blend(bundle.space, study::start_weights(bundle.space))) {
   assert(options.participant.size() < memory_.code.size() && "the code has been checked");
@@ -103,10 +103,10 @@ bool SessionView::has_panel() const {
   return kind == PageKind::trial || kind == PageKind::instructions;
 }
 
-Cast SessionView::cast() const {
+Cast SessionView::cast(std::int64_t now_us) const {
   const study::Session& session = live_.session();
   if (const study::TrialState* trial = session.trial()) {
-    return trial_cast(bundle_, session, trial->cycle);
+    return trial_cast(bundle_, session, trial->cycle, live_.since_began(now_us));
   }
   if (session.page().kind != PageKind::instructions) return {};
   const study::Task& task = task_of(bundle_.study, planned());
@@ -127,7 +127,7 @@ const study::PlannedTrial& SessionView::planned() const {
 
 void SessionView::advance(std::int64_t now_us) {
   if (covered()) return stage_.rest(now_us);
-  stage_.advance(now_us, cast());
+  stage_.advance(now_us, cast(now_us));
 }
 
 void SessionView::draw_figures(FigureRenderer& renderer) {

@@ -67,7 +67,7 @@ class SessionView {
   void take_late_frames(std::int64_t until_us);
   void end(const std::string& reason, std::int64_t t_us, study::Actor actor);
   bool has_panel() const;
-  Cast cast() const;
+  Cast cast(std::int64_t now_us) const;
   StagePlan stage_plan() const;
   const study::PlannedTrial& planned() const;  // of the page
   Moment moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const;

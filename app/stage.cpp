@@ -16,8 +16,13 @@ const Rgb& colour_of(const Palette& palette, Role role) {
   return palette.created;
 }
 
-Stage::Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels)
-    : set_(set), travels_(travels), mannequin_(make_mannequin(set)), small_(bank, mannequin_) {}
+Stage::Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels,
+             const StimulusList& stimuli)
+    : set_(set),
+      travels_(travels),
+      mannequin_(make_mannequin(set)),
+      small_(bank, mannequin_),
+      stimuli_(stimuli, set.skeleton, mannequin_) {}
 
 void Stage::advance(std::int64_t now_us, const Cast& cast) {
   // After a pause (a page without figures, a stopped program) the walk goes on
@@ -29,7 +34,7 @@ void Stage::advance(std::int64_t now_us, const Cast& cast) {
 }
 
 void Stage::enter(const Cast& cast) {
-  figure(Role::target).present = cast.target != nullptr;
+  figure(Role::target).present = cast.target != nullptr || cast.stimulus != nullptr;
   figure(Role::reference).present = cast.reference != nullptr;
   figure(Role::created).present = cast.created != nullptr;
   figure(Role::created).hidden = cast.blind && cast.created != nullptr;
@@ -40,6 +45,8 @@ void Stage::walk(double seconds, const Cast& cast) {
   seconds *= pace_.playing ? pace_.speed : 0;
   if (seconds == 0) return;
   const motion::Cycle* pace = cast.target != nullptr ? cast.target : cast.created;
+  // Small figures walk on beside a stimulus.
+  if (cast.stimulus != nullptr) pace = &set_.cycles.front();
   const double before = phase_;
   const double reference_before = reference_phase_;
   if (pace != nullptr) phase_ = walked(*pace, before, seconds);
@@ -55,7 +62,12 @@ void Stage::walk(double seconds, const Cast& cast) {
 
 void Stage::pose(const Cast& cast) {
   enter(cast);
-  pose(figure(Role::target), cast.target, phase_);
+  stimulus_share_.reset();
+  if (cast.stimulus != nullptr) {
+    pose(figure(Role::target), *cast.stimulus, cast.stimulus_s);
+  } else {
+    pose(figure(Role::target), cast.target, phase_);
+  }
   pose(figure(Role::reference), cast.reference, reference_phase_);
   pose(figure(Role::created), cast.created, phase_);
 }
@@ -85,9 +97,28 @@ void Stage::pose(Figure& figure, const motion::Cycle* cycle, double phase) {
   if (cycle == nullptr || figure.hidden) return;
   motion::pose_at(set_, *cycle, phase, pose_);
   motion::forward_kinematics(set_.skeleton, pose_, world_);
-  place_parts(mannequin_, world_, figure.parts);
+  place(figure, mannequin_);
+}
+
+// Where it is follows from the time alone.
+void Stage::pose(Figure& figure, const study::Stimulus& stimulus, double seconds) {
+  const StimulusFigure& shown = stimuli_.of(stimulus);
+  const study::StimulusMoment moment = study::moment_of(stimulus, seconds);
+  motion::forward_kinematics(stimulus.take.skeleton, shown.pose_at(moment.seconds), world_);
+  place(figure, shown.mannequin());
+  stimulus_share_ = moment.seconds / stimulus.seconds();
+  figure.travel.setZero();
+  if (!travels_) return;
+  const Eigen::Vector2d way = shown.way(moment);
+  figure.travel = (way.array() - way.array().floor()).matrix().cast<float>();
+}
+
+// In the pose of `world_`.
+void Stage::place(Figure& figure, const Mannequin& mannequin) {
+  place_parts(mannequin, world_, figure.parts);
   turn(figure.parts, start_yaw + orbit_.yaw);
   figure.shadow.splat(figure.parts, shadow_light());
+  figure.height = mannequin.height;
 }
 
 // Those that are there share the stage from left to right.
@@ -107,8 +138,8 @@ void Stage::draw_ground(FigureRenderer& renderer, const Layout& layout, const St
   static const Shadow none;
   Figure& shown = figure(role);
   const Box box = spot(plan.figures, role);
-  shown.view =
-      make_view(orbit_, mannequin_.height, plan.figure_height, {box.middle_x(), plan.foot_y}, box);
+  shown.view = make_view(orbit_, shown.hidden ? mannequin_.height : shown.height,
+                         plan.figure_height, {box.middle_x(), plan.foot_y}, box);
   renderer.draw_ground(shown.view,
                        {.ring = colour_of(palette, role),
                         .dashed = role == Role::target,

@@ -8,6 +8,7 @@
 #include "app/layout.h"
 #include "app/look.h"
 #include "app/small_figures.h"
+#include "app/stimulus_stage.h"
 
 namespace promenade::app {
 
@@ -21,7 +22,9 @@ struct Cast {
   const motion::Cycle* target = nullptr;
   const motion::Cycle* created = nullptr;
   const motion::Cycle* reference = nullptr;
-  bool blind = false;  // the created figure has its place, but is not shown
+  bool blind = false;                         // the created figure has its place, but is not shown
+  const study::Stimulus* stimulus = nullptr;  // takes the place of the target
+  double stimulus_s = 0;                      // seconds of it, with all repetitions
 };
 
 struct Pace {
@@ -32,8 +35,10 @@ struct Pace {
 
 class Stage {
  public:
-  // `travels`: the figures walk over the ground; else on the spot.
-  Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels = true);
+  // `travels`: the figures walk over the ground; else on the spot. A cast has no other stimuli
+  // than these.
+  Stage(const motion::MotionSet& set, const motion::PoseBank& bank, bool travels = true,
+        const StimulusList& stimuli = {});
 
   // One step of time. All walk at one phase, so that a change of weights never makes a
   // figure jump. The target sets the pace, since what is to be matched must not change
@@ -54,9 +59,13 @@ class Stage {
   Orbit& orbit() { return orbit_; }
   Pace& pace() { return pace_; }
   SmallFigures& small_figures() { return small_; }
-  double phase() const { return phase_; }
+  // Of the walk, 0 to 1; of a stimulus the share of it that was shown.
+  double phase() const { return stimulus_share_.value_or(phase_); }
+  // A stimulus stands where the session says.
   void scrub(double phase) { phase_ = phase; }
   bool shows(Role role) const { return figure(role).present; }
+  // What is drawn of it: metres, about its spot.
+  const std::vector<Part>& parts(Role role) const { return figure(role).parts; }
   // Is there only its place?
   bool hides(Role role) const { return figure(role).present && figure(role).hidden; }
   // Under the feet of a figure, where its plate goes: pixels.
@@ -67,6 +76,7 @@ class Stage {
     bool present = false, hidden = false;
     std::vector<Part> parts;
     Shadow shadow;
+    double height = 0;                                 // metres
     Eigen::Vector2f travel = Eigen::Vector2f::Zero();  // metres
     View view;
   };
@@ -76,6 +86,8 @@ class Stage {
   void enter(const Cast& cast);
   void go(Figure& figure, const motion::Cycle* cycle, double before, double phase);
   void pose(Figure& figure, const motion::Cycle* cycle, double phase);
+  void pose(Figure& figure, const study::Stimulus& stimulus, double seconds);
+  void place(Figure& figure, const Mannequin& mannequin);
   Box spot(const Box& stage, Role role) const;
   void draw_ground(FigureRenderer& renderer, const Layout& layout, const StagePlan& plan,
                    const Palette& palette, Role role);
@@ -84,9 +96,11 @@ class Stage {
   bool travels_;
   Mannequin mannequin_;
   SmallFigures small_;
+  StimulusFigures stimuli_;
   Orbit orbit_;
   Pace pace_;
   double phase_ = 0, reference_phase_ = 0;
+  std::optional<double> stimulus_share_;  // of the stimulus that is shown; nothing: none is
   std::int64_t last_us_ = -1;
   std::array<Figure, 3> figures_;
   motion::Pose pose_;

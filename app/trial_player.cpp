@@ -40,7 +40,7 @@ TrialPlayer::TrialPlayer(const study::StudyBundle& bundle, const study::Interfac
       trial_(log.trials[static_cast<std::size_t>(trial)]),
       end_(end_of(log, trial)),
       length_us_(length_of(log, trial, end_)),
-      stage_(bundle.space.set, bundle.bank, bundle.study.display.travels),
+      stage_(bundle.space.set, bundle.bank, bundle.study.display.travels, bundle.study.stimuli),
       blend_(motion::make_pose_blend(bundle.bank)) {
   restart();
 }
@@ -100,7 +100,7 @@ void TrialPlayer::move_to(std::int64_t t_us) {
     t_us_ += grain_us;
     pass(session_us());
     if (session_->paused()) continue;
-    stage_.walk(1e-6 * grain_us, trial_cast(bundle_, *session_, blend_.timing));
+    stage_.walk(1e-6 * grain_us, trial_cast(bundle_, *session_, blend_.timing, session_us()));
   }
   measure();
 }
@@ -137,7 +137,7 @@ void TrialPlayer::measure() {
                             study::task_of(bundle_.study, planned).distance);
     d_ = motion::distance(*trial.target_points, points_).mean_m;
   }
-  stage_.pose(trial_cast(bundle_, *session_, cycle_));
+  stage_.pose(trial_cast(bundle_, *session_, cycle_, session_us()));
 }
 
 }  // namespace promenade::app

@@ -177,6 +177,11 @@ void compare_answers(const std::vector<Answer>& stored, const std::vector<Answer
   }
 }
 
+// Of the start of a trial: which walk through a motion graph was shown; empty: none.
+std::string_view stimulus_in(std::string_view detail) {
+  return detail.starts_with(R"({"stimulus")") ? detail : std::string_view();
+}
+
 void compare_events(const LoggedSession& log, const std::vector<Event>& played,
                     Comparison& compare) {
   std::size_t i = 0;
@@ -187,6 +192,9 @@ void compare_events(const LoggedSession& log, const std::vector<Event>& played,
     compare.at(step.trial, step.event.t_us);
     compare.text("event", step.event.kind, event ? std::string_view(event->kind) : "nothing");
     if (event == nullptr || event->kind != step.event.kind) return;  // all behind is shifted
+    if (step.event.kind == "start") {
+      compare.text("what was shown", stimulus_in(step.event.detail), stimulus_in(event->detail));
+    }
     compare.text("event's time", std::to_string(step.event.t_us), std::to_string(event->t_us));
   }
   compare.text("number of events", std::to_string(i), std::to_string(played.size()));

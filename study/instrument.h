@@ -9,11 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "study/rng.h"
 #include "study/texts.h"
 
 namespace promenade::study {
-
-class Rng;
 
 enum class ItemKind {
   scale,    // one of the numbers from `least` to `most` in steps of `step`

@@ -44,7 +44,7 @@ void read_rate(const TomlTable& table, const StudyContext& context, Task& task) 
   task.has_done = true;
   table.require("instrument");
   task.instrument = context.instruments.find(table, "instrument");
-  const TargetRules anywhere{task.name, {}, 0.0};
+  const TargetRules anywhere{task.name, {}, 0.0, true};
   task.targets = read_targets(table, "targets", context, anywhere);
   task.practice = read_targets(table, "practice", context, anywhere);
   if (!table.has("targets")) table.error(R"(a "rate" task needs "targets", the motions to rate)");

@@ -17,6 +17,7 @@
 #include "study/prereg_seal.h"
 #include "study/ratings_csv.h"
 #include "study/simulated_raters.h"
+#include "study/stimulus.h"
 #include "study/study_parts.h"
 
 namespace promenade::study {
@@ -140,6 +141,14 @@ void put_draws(const Study& study, std::string& bytes) {
   }
 }
 
+// Which walks were found: another program may search otherwise.
+void put_walks(const Study& study, std::string& bytes) {
+  for (const auto& stimulus : study.stimuli) {
+    put(bytes, stimulus->name);
+    for (const int edge : stimulus->edges) put(bytes, std::to_string(edge));
+  }
+}
+
 }  // namespace
 
 Eigen::VectorXd start_weights(const motion::MotionSpace& space) {
@@ -166,6 +175,7 @@ std::string study_hash(const StudyBundle& bundle, const InterfaceRegistry& regis
     }
   }
   put_draws(bundle.study, bytes);
+  put_walks(bundle.study, bytes);
   return sha256_hex(bytes);
 }
 
@@ -212,10 +222,14 @@ StudyBundle read_study(const std::string& file, std::string text, const Interfac
                                      }};
   study.interfaces = read_interfaces(root, registry, set ? &resources : nullptr);
   InstrumentShelf instruments(files, study, bundle.texts);
-  study.tasks = read_tasks(root, {registry, study, set ? &bundle.space : nullptr, instruments,
-                                  bundle.texts, files, &bundle.bank, resources.adjectives});
+  const StudyContext context{
+      registry, study,        set ? &bundle.space : nullptr, instruments, bundle.texts,
+      files,    &bundle.bank, resources.adjectives};
+  study.stimuli = read_stimuli(root, context);
+  study.tasks = read_tasks(root, context);
   if (asked) warn_of_simulated_raters(root, bundle);
   read_questionnaires(root, instruments, study);
+  if (reader.ok()) warn_of_stimuli(root, bundle.space.set, study);
   if (reader.ok()) warn_of_numbers(root, study);
   bundle.impressions = std::make_shared<const Impressions>();
   bundle.warnings = reader.finish();

@@ -80,7 +80,8 @@ std::optional<Eigen::VectorXd> read_example(const TomlTable& target, const Study
 Target read_target(const TomlTable& table, const StudyContext& context) {
   Target target;
   target.place = table.place();
-  for (const char* other : {"random", "file"}) table.text(other);  // known, though not here
+  // Known, though not here.
+  for (const char* other : {"random", "file", "stimulus"}) table.text(other);
   const bool example = table.has("example");
   target.name = table.text("name").value_or("");
   target.weights = read_example(table, context);
@@ -98,11 +99,20 @@ Target read_target(const TomlTable& table, const StudyContext& context) {
 std::vector<Target> read_source(const TomlTable& table, std::string_view key,
                                 const StudyContext& context, const TargetRules& rules) {
   int sources = 0;
-  for (const char* source : {"example", "weights", "random", "file", "all"}) {
+  for (const char* source : {"example", "weights", "random", "file", "all", "stimulus"}) {
     sources += table.has(source) ? 1 : 0;
   }
   if (sources != 1) {
-    table.error(R"(a target needs one of "example", "weights", "random", "file", "all")");
+    table.error(R"(a target needs one of "example", "weights", "random", "file", "all", )"
+                R"("stimulus")");
+  }
+  if (table.has("stimulus") && !rules.stimuli) {
+    table.error(
+        "stimulus",
+        "a stimulus is no mixture of the walks of the set, so that nobody can make it; name "
+        "it in a task of kind \"rate\"");
+  } else if (table.has("stimulus") && sources == 1) {
+    return {read_stimulus_target(table, context)};
   }
   if (table.has("all")) return read_all_examples(table, context);
   if (table.has("random")) return read_random_targets(table, key, context, rules);

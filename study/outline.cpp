@@ -37,7 +37,7 @@ std::vector<std::string> targets_in(const TomlValue& root) {
   if (!tasks) return names;
   for (const TomlValue& task : tasks->elements) {
     for (const std::string_view list_key : {"targets", "qualities"}) {
-      for (const std::string& name : names_in(task, list_key, {"name", "example"})) {
+      for (const std::string& name : names_in(task, list_key, {"name", "example", "stimulus"})) {
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
       }
     }
@@ -101,7 +101,8 @@ Outline outline_of(std::string_view config_text) {
             order_in(root),
             names_in(root, "interface", {"type", "name"}),
             published_in(root),
-            draws_in(root)};
+            draws_in(root),
+            names_in(root, "stimulus", {"name"})};
   } catch (const InputError&) {
     return {};
   }

@@ -14,15 +14,16 @@ struct OutlinedDraw {
 };
 
 struct Outline {
-  std::vector<std::string> interfaces;   // [[interface]]: name, else type
-  std::vector<std::string> tasks;        // [[task]]: name
-  std::vector<std::string> targets;      // and qualities, of all tasks, each once
-  std::vector<std::string> ratings;      // [[rating]]: item
-  std::vector<std::string> guesses;      // tasks of the kind guess
-  std::string order;                     // of the interfaces, as [study] says; empty: no [study]
-  std::vector<std::string> types = {};   // [[interface]]: type, else name; beside `interfaces`
-  std::string published = {};            // [study] published; empty: none
-  std::vector<OutlinedDraw> draws = {};  // of match and guess tasks, each model once
+  std::vector<std::string> interfaces;    // [[interface]]: name, else type
+  std::vector<std::string> tasks;         // [[task]]: name
+  std::vector<std::string> targets;       // and qualities, of all tasks, each once
+  std::vector<std::string> ratings;       // [[rating]]: item
+  std::vector<std::string> guesses;       // tasks of the kind guess
+  std::string order;                      // of the interfaces, as [study] says; empty: no [study]
+  std::vector<std::string> types = {};    // [[interface]]: type, else name; beside `interfaces`
+  std::string published = {};             // [study] published; empty: none
+  std::vector<OutlinedDraw> draws = {};   // of match and guess tasks, each model once
+  std::vector<std::string> stimuli = {};  // [[stimulus]]: name
 };
 
 // What cannot be read is left out; a text that is no TOML has an empty outline.

@@ -40,6 +40,7 @@ struct RatingSelection {
 struct DatabaseRatings {
   RatingsTable table;
   std::optional<motion::MotionSet> set;  // the motions that were rated, if they are in the file
+  std::vector<std::string> stimuli;      // were rated, too, by name; their ratings are left out
 };
 
 // The answers about a trial whose item is one of the 41 pairs ("slow-fast"), or any item
@@ -47,9 +48,14 @@ struct DatabaseRatings {
 // motion, the value -2 to 2. Of a motion that came twice both ratings count, of
 // a motion that was rated in several sessions the last; superseded, declined and
 // untouched ones, practice, and people who declined or withdrew do not. The motions are
-// those of `set`, or else of the set in the file. Throws InputError when there are no
-// ratings, when a value is outside, or when a motion is not in `set`.
+// those of `set`, or else of the set in the file. Stimuli (study/stimulus.h) are no mixtures of
+// them and stay apart. Throws InputError when there are no ratings, when a value is outside, or
+// when a motion is not in `set`.
 DatabaseRatings read_database_ratings(const std::string& file, const RatingSelection& = {},
                                       const motion::MotionSet* set = nullptr);
+
+// The same answers about stimuli alone, by their names; there may be none.
+std::vector<NamedRating> read_stimulus_ratings(const std::string& file,
+                                               const RatingSelection& selection);
 
 }  // namespace promenade::study

@@ -5,10 +5,12 @@
 #include <set>
 #include <tuple>
 
+#include "motion/did_you_mean.h"
 #include "motion/models/adjective_pairs.h"
 #include "motion/problem.h"
 #include "motion/set_file.h"
 #include "study/migrate.h"
+#include "study/outline.h"
 #include "study/ratings.h"
 #include "study/sqlite.h"
 
@@ -88,7 +90,43 @@ std::vector<std::string> strangers(const motion::MotionSet& set,
   return {names.begin(), names.end()};
 }
 
-[[noreturn]] void report_none(const std::string& file, const Found& found) {
+// Of all versions of the study.
+std::set<std::string> stimuli_in(Database& database) {
+  std::set<std::string> names;
+  Statement row(database, "SELECT config_text FROM study");
+  while (row.step()) {
+    for (std::string& name : outline_of(row.text(0)).stimuli) names.insert(std::move(name));
+  }
+  return names;
+}
+
+// Those that were rated.
+std::vector<std::string> leave_out(const std::set<std::string>& stimuli, Found& found) {
+  std::set<std::string> rated;
+  std::erase_if(found.last, [&](const auto& one) {
+    const std::string& motion = std::get<1>(one.first);
+    if (stimuli.contains(motion)) rated.insert(motion);
+    return stimuli.contains(motion);
+  });
+  return {rated.begin(), rated.end()};
+}
+
+std::vector<NamedRating> named_ratings(const Found& found) {
+  std::vector<NamedRating> ratings;
+  for (const auto& [key, given] : found.last) {
+    for (const auto& [trial, value] : given.by_trial) {
+      ratings.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), value});
+    }
+  }
+  return ratings;
+}
+
+[[noreturn]] void report_none(const std::string& file, const Found& found,
+                              const std::vector<std::string>& stimuli) {
+  if (!stimuli.empty()) {
+    throw InputError(file, "holds ratings of stimuli alone (" + quoted_list(stimuli) +
+                               "), and of no motion of a set");
+  }
   if (found.left_out > 0) {
     throw InputError(file, fmt::format("its {} ratings are of simulated or pilot sessions; they "
                                        "count with --include-simulated or --include-pilot",
@@ -107,14 +145,10 @@ DatabaseRatings read_database_ratings(const std::string& file, const RatingSelec
   if (!std::filesystem::is_regular_file(file, error)) throw InputError(file, "is no file");
   Database database = open_log(file);
   Found found = read_answers(database, selection);
-  if (found.problems.empty() && found.last.empty()) report_none(file, found);
-  std::vector<NamedRating> ratings;
-  for (const auto& [key, given] : found.last) {
-    for (const auto& [trial, value] : given.by_trial) {
-      ratings.push_back({std::get<0>(key), std::get<1>(key), std::get<2>(key), value});
-    }
-  }
   DatabaseRatings result;
+  result.stimuli = leave_out(stimuli_in(database), found);
+  if (found.problems.empty() && found.last.empty()) report_none(file, found, result.stimuli);
+  const std::vector<NamedRating> ratings = named_ratings(found);
   result.set = set ? std::optional(*set) : set_in(database);
   const auto unknown = result.set ? strangers(*result.set, ratings) : std::vector<std::string>();
   for (const std::string& name : unknown) {
@@ -130,6 +164,17 @@ DatabaseRatings read_database_ratings(const std::string& file, const RatingSelec
       make_ratings_table(ratings, result.set ? names_of(*result.set) : std::vector<std::string>());
   result.table.simulated = found.simulated;
   return result;
+}
+
+std::vector<NamedRating> read_stimulus_ratings(const std::string& file,
+                                               const RatingSelection& selection) {
+  Database database = open_log(file);
+  Found found = read_answers(database, selection);
+  if (!found.problems.empty()) throw InputError(found.problems);
+  const std::set<std::string> stimuli = stimuli_in(database);
+  std::erase_if(found.last,
+                [&](const auto& one) { return !stimuli.contains(std::get<1>(one.first)); });
+  return named_ratings(found);
 }
 
 }  // namespace promenade::study

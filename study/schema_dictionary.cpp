@@ -119,7 +119,8 @@ constexpr auto meanings = std::to_array<Meaning>({
     {"sample", "trial", "", "trial.uuid"},
     {"sample", "t_us", "us", "when what is shown changed, since the session began"},
     {"sample", "d", "m", "D of what is shown; null in tasks without a target motion"},
-    {"sample", "weights", "", "N little-endian doubles in the order of the motion set"},
+    {"sample", "weights", "", "N little-endian doubles in the order of the motion set; a trial that shows a stimulus has no "
+     "samples"},
     {"sample", "after_seq", "", "event.seq of the last event before it"},
     {"answer", "session", "", "session.uuid"},
     {"answer", "trial", "", "trial.uuid; null: about no single trial"},

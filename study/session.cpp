@@ -82,6 +82,11 @@ const Page& Session::page() const {
 
 const TrialState* Session::trial() const { return trial_ ? &*trial_ : nullptr; }
 
+std::int64_t Session::trial_us(std::int64_t t_us) const {
+  assert(trial_ && "a trial runs");
+  return trial_->control_us(paused_since_us_ ? std::min(t_us, *paused_since_us_) : t_us);
+}
+
 bool Session::can_continue() const {
   const PageKind kind = page().kind;
   const bool waits_for_more =

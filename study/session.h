@@ -15,6 +15,7 @@
 #include "study/interface.h"
 #include "study/plan.h"
 #include "study/process_measures.h"
+#include "study/stimulus_clock.h"
 
 namespace promenade::study {
 
@@ -225,7 +226,9 @@ struct TrialState {
   motion::DistancePoints points;                        // of what is shown: scratch
   std::optional<double> d;                              // of what is shown
   std::optional<std::int64_t> below_since_us;           // D is below the threshold, unchanged since
-  TrialEnded summary;                                   // filled as it goes
+  const Stimulus* stimulus = nullptr;  // is rated, and `weights` mean nothing; null: none
+  StimulusClock showing;               // of it, by Session::trial_us
+  TrialEnded summary;                  // filled as it goes
   ProcessMeter process;
 
   // The time that the controls know: it stands while the trial is paused.
@@ -254,6 +257,8 @@ class Session {
   const Plan& plan() const { return plan_; }
   const Page& page() const;         // what is on screen
   const TrialState* trial() const;  // null outside trial pages
+  // In a trial: that time without its pauses, also while it is paused.
+  std::int64_t trial_us(std::int64_t t_us) const;
   Outcome outcome() const { return outcome_; }
   // The same as soon as it is certain: from the last page on, while that is still open.
   Outcome decided() const { return ended() ? outcome_ : decided_; }

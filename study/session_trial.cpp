@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "study/session_steps.h"
+#include "study/stimulus.h"
 
 namespace promenade::study {
 namespace {
@@ -66,6 +67,11 @@ std::string controls_json(const InterfaceState& interface) {
   return Json{{"controls", controls}}.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
+// Which walk through its graph was shown: a later program may find another one.
+std::string stimulus_json(const Stimulus& stimulus) {
+  return Json{{"stimulus", {{"seconds", stimulus.seconds()}, {"edges", stimulus.edges}}}}.dump();
+}
+
 }  // namespace
 
 const Task& Session::Steps::task() const {
@@ -89,7 +95,7 @@ void Session::Steps::reset_trial(TrialState& trial, std::int64_t t_us) const {
   trial.below_since_us.reset();
   trial.weights = start_weights(bundle.space);
   if (planned.interface < 0) {
-    trial.weights = *target_weights(bundle.study, planned);
+    if (!trial.stimulus) trial.weights = *target_weights(bundle.study, planned);
     trial.interface = std::make_unique<NoControls>(trial.weights);
     return;
   }
@@ -117,11 +123,14 @@ TrialState Session::Steps::fresh_trial(int index, std::int64_t t_us) const {
     trial.target = motion::blend(bundle.space, *target_weights(bundle.study, planned));
     trial.target_points = motion::distance_points(bundle.space.set, *trial.target, task.distance);
   }
+  trial.stimulus = target_of(bundle.study, planned).stimulus.get();
+  trial.showing.since_us = t_us;
   trial.blend = motion::make_pose_blend(bundle.bank);
   reset_trial(trial, t_us);
   measure(bundle.bank, task.distance, trial);
   trial.summary.trial = index;
   trial.process.begin(t_us);
+  if (trial.stimulus) return trial;
   trial.process.shown(t_us, trial.d, 0, trial.weights, bundle.coverage, false);
   return trial;
 }
@@ -132,8 +141,10 @@ void Session::Steps::begin_trial(std::int64_t t_us) {
   trial.attempt = ++session.attempts_[static_cast<std::size_t>(trial.index)];
   session.last_begun_ = trial.index;
   records.emplace_back(TrialStarted{trial.index, t_us, trial.d, trial.attempt});
-  log_system("start", t_us).detail = controls_json(*trial.interface);
-  records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
+  log_system("start", t_us).detail =
+      trial.stimulus ? stimulus_json(*trial.stimulus) : controls_json(*trial.interface);
+  // No weights make a stimulus.
+  if (!trial.stimulus) records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
 }
 
 void Session::Steps::open_trial(std::int64_t t_us) {
@@ -151,6 +162,7 @@ void Session::Steps::open_trial(std::int64_t t_us) {
 // Shows the weights that the trial has now. A change by time alone (an interface that
 // glides) leaves the dwell time running while D stays below.
 void Session::Steps::show(TrialState& trial, std::int64_t t_us, Shown how) {
+  if (trial.stimulus) return;
   const motion::DistancePoints before = trial.points;
   measure(session.bundle_->bank, task().distance, trial);
   records.emplace_back(Sample{trial.index, t_us, trial.d, trial.weights});
@@ -294,6 +306,12 @@ void Session::Steps::act(const Playback& playback) {
   event.target = playback.playing ? "play" : "pause";
   event.value = playback.speed;
   if (playback.phase >= 0) event.detail = fmt::format(R"({{"phase":{}}})", playback.phase);
+  if (!session.trial_ || !session.trial_->stimulus) return;
+  StimulusClock& showing = session.trial_->showing;
+  const std::int64_t now_us = session.trial_us(input.t_us);
+  const double at_s = playback.phase >= 0 ? playback.phase * session.trial_->stimulus->seconds()
+                                          : showing.seconds(now_us);
+  showing = {playback.playing, playback.speed, at_s, now_us};
 }
 
 void Session::Steps::act(const LateFrame& late) {

@@ -9,6 +9,7 @@
 #include "study/asked_quality.h"
 #include "study/impressions.h"
 #include "study/simulated_raters.h"
+#include "study/stimulus.h"
 
 namespace promenade::study {
 namespace {
@@ -260,8 +261,9 @@ void SimulatedParticipant::begin_trial(const Session& session) {
   const Task& task = task_of(bundle_->study, planned);
   if (task.kind == TaskKind::rate) {
     trial_.changes_one = state.attempt > 1 && session.answered();
-    if (asks_for_pairs(*session.questions()))
-      trial_.felt = impressions_in(*bundle_) * state.weights;
+    if (!asks_for_pairs(*session.questions())) return;
+    trial_.felt = target.stimulus ? felt_of(*target.stimulus, *bundle_)
+                                  : impressions_in(*bundle_) * state.weights;
     return;
   }
   const Eigen::VectorXd* wanted = target_weights(bundle_->study, planned);
@@ -315,10 +317,17 @@ std::optional<ControlInput> SimulatedParticipant::best_idea(const Session& sessi
   return chosen;
 }
 
+// Nobody judges a stimulus before its end.
+Intention SimulatedParticipant::watch(const Stimulus& stimulus) {
+  awake_s_ += stimulus.seconds();
+  return {std::llround(1e6 * stimulus.seconds()), Tick{}};
+}
+
 Intention SimulatedParticipant::at_trial(const Session& session) {
   const TrialState& trial = *session.trial();
   if (trial.index != trial_.index || trial.started_us != trial_.started_us) {
     begin_trial(session);
+    if (trial.stimulus) return watch(*trial.stimulus);
     return after(1.5 * person_.think_s, Tick{});  // a first look
   }
   if (session.questions() != nullptr) return at_rating(session);

@@ -76,6 +76,7 @@ class SimulatedParticipant {
   };
   Intention at_page(const Session& session);
   Intention at_trial(const Session& session);
+  Intention watch(const Stimulus& stimulus);
   Intention at_questionnaire(const Session& session);
   Intention at_rating(const Session& session);
   bool draws_a_line() const;

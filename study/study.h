@@ -30,17 +30,21 @@ struct InterfaceUse {
   std::shared_ptr<const InterfaceModel> model;  // what its type prepared; null: nothing
 };
 
+struct Stimulus;  // study/stimulus.h
+
 // What a trial asks for: a motion to reproduce or to rate, or a quality to find.
 struct Target {
-  std::string name;                        // as in the results
-  std::optional<Eigen::VectorXd> weights;  // N; nothing in find tasks, and where `draw` is set
-  LocalText quality;                       // the asked word in each language (find)
+  std::string name;  // as in the results
+  // N; nothing in find tasks, where `draw` is set, and of a stimulus.
+  std::optional<Eigen::VectorXd> weights;
+  LocalText quality;      // the asked word in each language (find)
   std::string pair = {};  // of adjectives, the asked word second: scores it (find); empty: by name
   Place place = {};       // in the study's file
   // Drawn anew for each participant: N weights. Empty: the same for all.
   std::function<Eigen::VectorXd(Rng&)> draw = {};
   std::string stream = {};   // of the draw: targets of one stream are drawn together
   double least_start_m = 0;  // of the draw: D at the start is never less, metres
+  std::shared_ptr<const Stimulus> stimulus = {};  // rate: a motion that is no blend; null: none
 };
 
 enum class TaskKind {
@@ -185,7 +189,8 @@ struct Study {
   std::vector<Task> tasks;
   std::vector<Instrument> instruments;
   std::vector<Questionnaire> questionnaires;
-  LocalText title, consent;  // own texts of the study
+  std::vector<std::shared_ptr<const Stimulus>> stimuli;  // [[stimulus]], in the order of the file
+  LocalText title, consent;                              // own texts of the study
 };
 
 // By its name; null: there is none.

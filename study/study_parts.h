@@ -66,6 +66,7 @@ struct TargetRules {
   motion::DistanceTimes times = motion::DistanceTimes::time;
   // D at the start, metres; nothing: as target_draw.h says.
   std::optional<double> least_start_m;
+  bool stimuli = false;  // motions that are no blends may stand among them
 };
 
 // The "name" of a table, which goes into names of files and tables of results: up to 80
@@ -107,6 +108,14 @@ void read_ratings_file(const TomlTable& root, StudyFiles& files, StudyBundle& bu
 // The document that [study] prereg names becomes a part of the study; warns when it was written
 // for another one. `config_text` is the text behind `root`.
 void read_prereg_file(const TomlTable& root, std::string_view config_text, StudyFiles& files);
+// [[stimulus]]: before the tasks, whose targets name them. After a problem some show nothing.
+std::vector<std::shared_ptr<const Stimulus>> read_stimuli(const TomlTable& root,
+                                                          const StudyContext& context);
+// After the tasks: a stimulus that none shows, and one whose figure differs from others of its
+// task.
+void warn_of_stimuli(const TomlTable& root, const motion::MotionSet& set, const Study& study);
+// { stimulus = NAME } in a list of targets.
+Target read_stimulus_target(const TomlTable& table, const StudyContext& context);
 // The keys that only a task of kind "rate" has.
 void read_rate(const TomlTable& table, const StudyContext& context, Task& task);
 std::vector<Task> read_tasks(const TomlTable& root, const StudyContext& context);

@@ -58,15 +58,28 @@ void add_motions(const std::vector<std::string>& more, std::vector<std::string>&
   }
 }
 
+// The selection has decided about simulated and pilot sessions.
+study::RatingSelection all_of(const Uuids& sessions) { return {true, true, "", sessions}; }
+
+std::vector<StimulusRating> stimuli_of(const Log& log, const Raters& raters) {
+  std::vector<study::NamedRating> all;
+  for (const auto& [file, sessions] : raters.sessions) {
+    const std::string& name = item(log.files, file).file;
+    for (study::NamedRating& one : study::read_stimulus_ratings(name, all_of(sessions))) {
+      one.rater = rater_name(file, one.rater);
+      all.push_back(std::move(one));
+    }
+  }
+  return stimulus_ratings(all);
+}
+
 study::RatingsTable table_of(const Log& log, const Raters& raters) {
   std::vector<study::NamedRating> all;
   std::vector<std::string> motions;
   bool simulated = false;
   for (const auto& [file, sessions] : raters.sessions) {
-    // The selection has decided about simulated and pilot sessions.
-    const study::RatingSelection these{true, true, "", sessions};
     const study::RatingsTable found =
-        study::read_database_ratings(item(log.files, file).file, these).table;
+        study::read_database_ratings(item(log.files, file).file, all_of(sessions)).table;
     for (const motion::Rating& one : found.ratings) {
       all.push_back({rater_name(file, item(found.rater_names, one.rater)),
                      item(found.motions, one.motion), item(found.pairs, one.pair), one.value});
@@ -87,6 +100,7 @@ std::optional<RatedPairs> rated_pairs(const Log& log, const Selection& selection
   if (raters.people.empty()) return std::nullopt;
   RatedPairs result;
   try {
+    result.stimuli = stimuli_of(log, raters);
     result.model = study::make_adjective_model(table_of(log, raters), log.study);
   } catch (const InputError& error) {
     result.problem = error.problems().front().message;

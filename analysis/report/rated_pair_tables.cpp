@@ -156,4 +156,32 @@ HtmlTable shown_raters(const Results& results) {
   return table;
 }
 
+Table stimulus_rating_table(const RatedPairs& rated) {
+  Table table{
+      "ratings_stimuli",
+      "A stimulus and a pair of adjectives: what the raters said, -2 (the first word) to 2. "
+      "Stimuli are no part of the clusters.",
+      {"stimulus", "pair", "raters", "mean", "sd"},
+      {}};
+  for (const StimulusRating& one : rated.stimuli) {
+    table.rows.push_back({cell(one.stimulus), cell(one.pair), cell(one.raters), cell(one.mean),
+                          cell(one.deviation)});
+  }
+  return table;
+}
+
+HtmlTable shown_stimuli(const RatedPairs& rated) {
+  HtmlTable table;
+  table.caption =
+      "Stimuli: the mean over raters from −2 (the first word of the pair) to 2 (the second), and "
+      "its standard deviation.";
+  table.columns = {"stimulus", "pair", "raters", "mean", "SD"};
+  table.heads = 2;
+  for (const StimulusRating& one : rated.stimuli) {
+    table.rows.push_back({one.stimulus, one.pair, std::to_string(one.raters), fixed(one.mean, 2),
+                          number_cell(one.deviation, 2)});
+  }
+  return table;
+}
+
 }  // namespace promenade::analysis

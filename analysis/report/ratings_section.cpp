@@ -124,6 +124,19 @@ nlohmann::json json_of(const RatedPairs& rated, const std::vector<Table>& tables
           {"by_rater", json_rows(tables[1])}};
 }
 
+// Beside what is said of the motions of the set.
+void add_stimuli(const RatedPairs& rated, Section& section) {
+  if (rated.stimuli.empty()) return;
+  const Table table = stimulus_rating_table(rated);
+  section.html +=
+      note(
+          "Stimuli are no mixtures of the motions of the set: what was said of them is not part of "
+          "the pairs, the clusters and the agreement.") +
+      folded(shown_stimuli(rated));
+  section.json["ratings"]["stimuli"] = json_rows(table);
+  section.tables.push_back(table);
+}
+
 }  // namespace
 
 Section ratings_section(const Results& results) {
@@ -132,14 +145,19 @@ Section ratings_section(const Results& results) {
   Section section;
   section.title = "Ratings";
   if (!rated.problem.empty()) {
-    section.html = element("p", "There is nothing to say of the ratings: " + rated.problem + ".");
+    section.html =
+        element("p", rated.stimuli.empty()
+                         ? "There is nothing to say of the ratings: " + rated.problem + "."
+                         : "No motion of the set was rated: " + rated.problem + ".");
     section.json["ratings"] = {{"problem", rated.problem}};
+    add_stimuli(rated, section);
     return section;
   }
   section.html = words_on(rated) + wide_words(shown_clusters(rated.model)) +
                  folded(shown_pairs(rated)) + folded(shown_raters(results));
   section.tables = {rated_pair_table(rated), pair_rater_table(results)};
   section.json["ratings"] = json_of(rated, section.tables);
+  add_stimuli(rated, section);
   return section;
 }
 

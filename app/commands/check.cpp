@@ -15,6 +15,7 @@
 #include "study/asked_quality.h"
 #include "study/plan.h"
 #include "study/session_length.h"
+#include "study/stimulus.h"
 
 namespace promenade::app {
 namespace {
@@ -70,6 +71,20 @@ Json study_json(const std::string& file, const std::vector<Problem>& problems) {
   return json;
 }
 
+Json stimulus_json(const study::Stimulus& stimulus) {
+  Json parts = Json::array();
+  for (const motion::LabelledPart& part : stimulus.labels) {
+    parts.push_back({{"label", part.label},
+                     {"from_s", part.from * stimulus.take.frame_time},
+                     {"to_s", part.to * stimulus.take.frame_time}});
+  }
+  return {{"name", stimulus.name},
+          {"graph", stimulus.file},
+          {"seconds", stimulus.seconds()},
+          {"transitions", study::count_transitions(stimulus)},
+          {"parts", std::move(parts)}};
+}
+
 Json bundle_json(const StudyBundle& bundle, const Report& report) {
   Json json = study_json(bundle.file, bundle.warnings);
   json["name"] = bundle.study.name;
@@ -81,6 +96,8 @@ Json bundle_json(const StudyBundle& bundle, const Report& report) {
                  {"median_style_distance_m", study::median_style_distance(bundle.space)}};
   json["targets"] = Json::array();
   for (const TargetReport& target : report.targets) json["targets"].push_back(to_json(target));
+  json["stimuli"] = Json::array();
+  for (const auto& one : bundle.study.stimuli) json["stimuli"].push_back(stimulus_json(*one));
   json["minutes"] = report.length.median;
   json["minutes_range"] = {report.length.least, report.length.most};
   json["round"] = study::round_of_design(bundle.study);
@@ -140,6 +157,19 @@ std::string qualities_text(const StudyBundle& bundle, const Task& task) {
   return text;
 }
 
+// "stimulus happy_then_sad: 8.1 s of walks.graph: happy 4.1 s, sad 4.0 s, 3 transitions"
+std::string stimuli_text(const StudyBundle& bundle) {
+  std::string text;
+  for (const auto& one : bundle.study.stimuli) {
+    text += fmt::format(
+        "  stimulus {}: {:.1f} s of {}: {}, {} transitions{}\n", one->name, one->seconds(),
+        one->file, study::describe_parts(*one), study::count_transitions(*one),
+        study::same_bones(one->take.skeleton, bundle.space.set.skeleton) ? ""
+                                                                         : "; a figure of its own");
+  }
+  return text;
+}
+
 std::string bundle_text(const StudyBundle& bundle, const Report& report) {
   const study::Study& study = bundle.study;
   std::string text = fmt::format("{}: the study \"{}\", version {}, can be run\n", bundle.file,
@@ -156,6 +186,7 @@ std::string bundle_text(const StudyBundle& bundle, const Report& report) {
     text += "  " + task_line(study, task);
     if (task.kind == TaskKind::find) text += qualities_text(bundle, task);
   }
+  text += stimuli_text(bundle);
   return report.targets.empty() ? text : text + targets_text(report.targets);
 }
 

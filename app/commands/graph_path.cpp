@@ -4,7 +4,9 @@
 #include <memory>
 
 #include "app/commands/graph_parts.h"
+#include "app/path_window.h"
 #include "motion/files.h"
+#include "motion/graph/passages.h"
 #include "motion/graph/path_walk.h"
 #include "study/path_csv.h"
 
@@ -14,7 +16,7 @@ namespace {
 struct Arguments {
   std::string graph, path, out, picture;
   motion::PathWalkOptions options;
-  bool smooth = false, json = false;
+  bool smooth = false, json = false, window = false;
 };
 
 // Metres of the way at each point.
@@ -95,6 +97,35 @@ void follow(const Arguments& given) {
                              : "some horizons were not searched to their end: --most-edges\n"));
 }
 
+// Everything that is wrong is said before the window opens.
+void draw(const Arguments& given) {
+  PathWindowSetting setting;
+  setting.graph = std::make_shared<const motion::MotionGraph>(load_graph(given.graph));
+  setting.options = given.options;
+  setting.out = given.out;
+  if (!given.options.start_label.empty()) {
+    motion::require_label(*setting.graph, given.options.start_label);
+  }
+  if (!given.path.empty()) {
+    const study::PathTable table = study::parse_path(read_file(given.path), given.path);
+    if (const auto trouble = motion::trouble_with_path(table.points)) {
+      throw InputError(given.path, *trouble);
+    }
+    for (const std::string& label : table.labels) {
+      if (!label.empty()) motion::require_label(*setting.graph, label);
+    }
+    setting.drawing = PathDrawing(table);
+  }
+  draw_path_in_window(setting);
+}
+
+void run(const Arguments& given) {
+  if (given.window) return draw(given);
+  if (given.path.empty()) throw InputError("--path", "is needed; or draw a path with --window");
+  if (given.out.empty()) throw InputError("--out", "is needed: the capture to write (.bvh)");
+  follow(given);
+}
+
 }  // namespace
 
 void add_graph_path(Command graph_command) {
@@ -103,12 +134,10 @@ void add_graph_path(Command graph_command) {
   const auto given = std::make_shared<Arguments>();
   motion::PathWalkOptions& options = given->options;
   command.add_option("graph", given->graph, "A file that `graph build` wrote").required();
-  command
-      .add_option("--path", given->path,
-                  "Its points: a table (.csv) with columns x and z in metres, and label where a "
-                  "style is wanted from there on")
-      .required();
-  command.add_option("--out", given->out, "The capture to write (.bvh)").required();
+  command.add_option("--path", given->path,
+                     "Its points: a table (.csv) with columns x and z in metres, and label where a "
+                     "style is wanted from there on");
+  command.add_option("--out", given->out, "The capture to write (.bvh)");
   command.add_flag("--smooth", given->smooth, "Walk a smooth curve through the points");
   command.add_option("--start", options.start_label, "The label to begin with");
   command.add_option("--horizon", options.horizon_s, "How far the search looks ahead, seconds")
@@ -125,7 +154,12 @@ void add_graph_path(Command graph_command) {
   command.add_option("--picture", given->picture,
                      "A picture (.svg) of the path and of the way that is walked");
   command.add_flag("--json", given->json, "One JSON document on stdout");
-  command.callback([given] { follow(*given); });
+  command
+      .add_flag("--window", given->window,
+                "A window to draw a path with the mouse, and to save the walk to --out")
+      .excludes("--json")
+      .excludes("--picture");
+  command.callback([given] { run(*given); });
 }
 
 }  // namespace promenade::app

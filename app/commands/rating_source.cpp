@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "app/print.h"
 #include "motion/builtin.h"
+#include "motion/did_you_mean.h"
 #include "motion/files.h"
 #include "motion/problem.h"
 #include "study/adjective_model_file.h"
@@ -29,6 +31,10 @@ RatedSet rated_file(const RatingSource& source) {
   if (text.rfind("SQLite format 3", 0) == 0) {
     study::DatabaseRatings found =
         study::read_database_ratings(source.name, source.selection, set ? &*set : nullptr);
+    if (!found.stimuli.empty())
+      print_note(source.name +
+                 ": left out the ratings of stimuli, which no mixture of the set is: " +
+                 quoted_list(found.stimuli));
     return {study::make_adjective_model(std::move(found.table), source.name), std::move(found.set)};
   }
   if (study::is_adjective_model(source.name))

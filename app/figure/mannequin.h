@@ -37,6 +37,10 @@ struct Mannequin {
 // head, and feet that stand, point where the set walks (ours; skeletons do not say).
 Mannequin make_mannequin(const motion::MotionSet& set);
 
+// The same of poses of any motion, at least one: each faces +Z and stands on the floor.
+Mannequin make_mannequin(const motion::Skeleton& skeleton, const motion::BodyMap& body,
+                         const std::vector<motion::WorldPose>& poses);
+
 // Replaces `parts`. Metres, in the world of the pose.
 void place_parts(const Mannequin& mannequin, const motion::WorldPose& pose,
                  std::vector<Part>& parts);

@@ -35,6 +35,7 @@ class SessionBench {
   const SessionView& view() const { return view_; }
   InputQueue& queue() { return queue_; }
   const std::filesystem::path& file() const { return file_; }
+  std::int64_t session_us() const { return live_.since_began(now_us_); }
   void stop(study::Actor actor = study::Actor::participant) { view_.stop("test", now_us_, actor); }
   void type(const std::string& text);
   void hold(int glfw_key, bool down);  // a key that others are pressed with

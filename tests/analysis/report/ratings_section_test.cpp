@@ -225,6 +225,48 @@ TEST_F(RatingsSection, HasATreeOfThePairsInItsClusters) {
             std::string::npos);
 }
 
+// A stimulus beside what the toy log's study has.
+void add_stimulus(ToyLog& log) {
+  log.database().exec(
+      "UPDATE study SET config_text = config_text || '[[stimulus]]' || char(10) || "
+      "'name = \"turn\"'");
+}
+
+TEST_F(RatingsSection, HasStimuliByNameAndApart) {
+  {
+    ToyLog log(files[0]);
+    add_stimulus(log);
+    fill_fates(log);
+    for (const double value : {1.0, 2.0}) {
+      log.session({"P" + std::to_string(4 + value)});
+      rate(log, "turn");
+      log.answer("slow-fast", value);
+    }
+  }
+  const Section found = section();
+  const Json& ratings = found.json["ratings"];
+  EXPECT_EQ(ratings["raters"], 4) << "the model is of the motions alone";
+  EXPECT_EQ(ratings["motions_in_set"], 2);
+  ASSERT_EQ(ratings["stimuli"].size(), 1U);
+  EXPECT_EQ(ratings["stimuli"][0]["stimulus"], "turn");
+  EXPECT_EQ(ratings["stimuli"][0]["mean"], 1.5);
+  EXPECT_NE(found.html.code.find("turn"), std::string::npos) << found.html.code;
+}
+
+TEST_F(RatingsSection, HasStimuliAlsoWhereNoMotionOfTheSetWasRated) {
+  {
+    ToyLog log(files[0]);
+    add_stimulus(log);
+    log.session({"P1"});
+    rate(log, "turn");
+    log.answer("slow-fast", 2);
+  }
+  const Section found = section();
+  EXPECT_NE(found.html.code.find("holds ratings of stimuli alone"), std::string::npos)
+      << found.html.code;
+  EXPECT_EQ(found.json["ratings"]["stimuli"].size(), 1U);
+}
+
 TEST_F(RatingsSection, HasNoTreeOfOnePair) {
   { fill_fates(*std::make_unique<ToyLog>(files[0])); }
   EXPECT_FALSE(pairs_in(figures_of(results())));

@@ -1,10 +1,10 @@
-#include "study/rng.h"
+#include "motion/rng.h"
 
 #include <cassert>
 #include <cmath>
 #include <numbers>
 
-namespace promenade::study {
+namespace promenade::motion {
 namespace {
 
 std::uint64_t mix(std::uint64_t z) {
@@ -41,4 +41,4 @@ double Rng::normal() {
   return radius * std::cos(2 * std::numbers::pi * uniform());
 }
 
-}  // namespace promenade::study
+}  // namespace promenade::motion

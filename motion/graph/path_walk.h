@@ -1,0 +1,53 @@
+// A walk over a motion graph that follows a path over the ground ([K] 5.2): the one whose way
+// differs least from the path. Frame by frame, the place of the pelvis is compared with the point
+// of the path that is as many metres from its beginning as somebody has walked by then
+// (edge_ways.h), squared, and summed.
+#pragma once
+
+#include "motion/graph/edge_ways.h"
+#include "motion/graph/ground_path.h"
+#include "motion/graph/walk_search.h"
+
+namespace promenade::motion {
+
+// A style that is wanted on a part of the path.
+struct PathPart {
+  double from_m = 0, to_m = 0;  // of the path
+  std::string label;
+};
+
+struct PathWalkOptions {
+  std::vector<PathPart> parts;  // they do not overlap
+  std::string start_label;      // empty: that of the part at 0 m, or any
+  // A frame of another label than its part wants costs as if it were so far off the path (ours):
+  // so there is always a walk, and short passages through other styles are accepted.
+  double other_label_m = 1;
+  double horizon_s = 4, kept_s = 1;
+  std::int64_t most_edges = 200'000;  // visited in a horizon
+};
+
+struct PathWalk {
+  GraphWalk walk;  // in the world of the path
+  int frames = 0;  // until as far is walked as the path is long; the last edge may go on
+  double walked_m = 0;
+  double cost_m2 = 0;                // sum of squares over these frames
+  double rms_m = 0, farthest_m = 0;  // from the wanted points
+  int other_label = 0;               // frames that do not have the label of their part
+  bool complete = true;              // every horizon was searched to its end
+  bool stopped = false;              // by `progress`: the walk ends before the path does
+  std::int64_t visited = 0;
+};
+
+// `progress` is told the best walk so far and the share of the path that it covers, 0 to 1; false
+// stops. While a beginning is sought that walk has no edges. Throws an InputError where no edge
+// has a label that is asked for.
+PathWalk walk_along(const MotionGraph& graph, const GroundPath& path,
+                    const PathWalkOptions& options = {},
+                    const std::function<bool(const GraphWalk&, double)>& progress = {});
+
+// The same with ways that are there already, as many paths over one graph need.
+PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
+                    const GroundPath& path, const PathWalkOptions& options,
+                    const std::function<bool(const GraphWalk&, double)>& progress = {});
+
+}  // namespace promenade::motion
