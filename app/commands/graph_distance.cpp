@@ -210,26 +210,24 @@ void show_distance(const Arguments& given) {
 
 }  // namespace
 
-void add_graph_distance(CLI::App& graph_command) {
-  auto* command = graph_command.add_subcommand(
+void add_graph_distance(Command graph_command) {
+  Command command = graph_command.add_subcommand(
       "distance", "How unlike two windows of frames are, one turned and moved onto the other");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("a", given->a, "A capture (.bvh, .amc)")->required();
-  command->add_option("b", given->b, "A capture with the same joints; it may be the same one")
-      ->required();
-  command->add_option("--window", given->window, "Frames of a window")
-      ->required()
-      ->check(CLI::Range(1, 1000000));
-  command->add_option("--at", given->at, "i,j: the first frame of A's window, the last of B's")
-      ->required();
-  command->add_option("--skeleton", given->load.skeleton,
-                      "The .asf file of .amc files; looked for beside them if not given");
+  command.add_option("a", given->a, "A capture (.bvh, .amc)").required();
+  command.add_option("b", given->b, "A capture with the same joints; it may be the same one")
+      .required();
+  command.add_option("--window", given->window, "Frames of a window").required().range(1, 1000000);
+  command.add_option("--at", given->at, "i,j: the first frame of A's window, the last of B's")
+      .required();
+  command.add_option("--skeleton", given->load.skeleton,
+                     "The .asf file of .amc files; looked for beside them if not given");
   command
-      ->add_option("--rate", given->load.rate,
-                   "Frames a second of an .amc, which does not say it; 120 if not given")
-      ->check(CLI::Range(1.0, 10000.0));
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { show_distance(*given); });
+      .add_option("--rate", given->load.rate,
+                  "Frames a second of an .amc, which does not say it; 120 if not given")
+      .range(1.0, 10000.0);
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { show_distance(*given); });
 }
 
 }  // namespace promenade::app
