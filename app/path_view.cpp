@@ -159,7 +159,11 @@ void PathView::draw_picture(const Ui& ui, const GroundPlan& plan, const PlaneTou
   ImGui::PushClipRect({box.x, box.y}, {box.right(), box.bottom()}, true);
   picture.draw_grid();
   const std::vector<DrawnCorner> corners = corners_in_sight(plan, touch);
-  if (corners.size() > 1) picture.draw_wanted(path_through(corners));
+  if (wanted_ && corners.size() == scene_.drawing.ended()) {
+    picture.draw_wanted(*wanted_);
+  } else if (corners.size() > 1) {
+    picture.draw_wanted(path_through(corners));
+  }
   if (walked_) picture.draw_walked(way_);
   for (const DrawnCorner& corner : scene_.drawing.corners()) {
     const bool alone = scene_.drawing.open() && !scene_.drawing.drawing();
@@ -182,6 +186,7 @@ void PathView::draw_plane(const Ui& ui, const Box& box) {
   const PlaneTouch touch = plane(ui, "draw", "path", box, zero, {-before.unit(), before.unit()});
   use_mouse(ui, before, touch);
   if (touch.focused) use_keys(before);
+  if (key_pressed(ImGuiKey_Backspace)) take_back();  // nothing else has a use for it
   const GroundPlan plan{box, sight_};
   draw_picture(ui, plan, touch);
   if (!scene_.drawing.corners().empty()) return;
@@ -242,7 +247,6 @@ void PathView::use_keys(const GroundPlan& plan) {
   if (key_pressed(ImGuiKey_PageDown)) sight_ = zoomed(sight_, -1, cursor_);
   if (key_pressed(ImGuiKey_Home)) sight_ = {};
   if (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false)) set_corner();
-  if (key_pressed(ImGuiKey_Backspace)) take_back();
 }
 
 // By half a metre, with Shift by a tenth; the sight goes along.
