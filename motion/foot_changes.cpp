@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/fade.h"
 #include "motion/rotation.h"
 
 namespace promenade::motion {
@@ -10,8 +11,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double fade_seconds = 0.1;  // over which a swinging foot forgets its velocity
 
 // What is changed of a foot: rows 0 and 1 move it over the ground (left, ahead; metres),
 // rows 2 to 4 turn it about its toe (a rotation vector in the world, radians).
@@ -39,31 +38,13 @@ FootChanges stance_changes(const Walk& walk, const StancePhases& stance, const L
   return changes;
 }
 
-// From one stance to the next: the change goes over smoothly, and its velocity at either
-// end dies away.
-struct Fade {
-  double seconds;
-  FootChange from, to, leaving, arriving;  // the last two per second
-
-  FootChange at(double t) const {
-    const double x = t / seconds;
-    const double eased = x * x * (3 - 2 * x);
-    const double reach = std::min(fade_seconds, 0.5 * seconds);
-    const auto ramp = [reach](double u) {
-      const double rest = std::max(1 - u / reach, 0.0);
-      return u * rest * rest;
-    };
-    return (1 - eased) * from + eased * to + ramp(t) * leaving - ramp(seconds - t) * arriving;
-  }
-};
-
 // 5 x F: the change of one foot over the whole cycle.
 FootChanges foot_changes(const Walk& walk, Side side) {
   const StancePhases stance = stance_phases(walk.set, side);
   const FootChanges stood = stance_changes(walk, stance, leg_joints(side));
   const Eigen::Index last = stood.cols() - 1;
   const int next_on = stance.on + walk.phases();
-  Fade fade;
+  Fade<FootChange> fade;  // from one stance to the next
   fade.seconds = walk.time(next_on) - walk.time(stance.off);
   fade.from = stood.col(last);
   fade.to = stood.col(0);

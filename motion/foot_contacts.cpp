@@ -173,8 +173,13 @@ FootContacts find_contacts(const Take& take) {
   }
   const double slow = touch_down_share * swing;
   const double band = floor_band * leg_length(take.skeleton, take.body);
-  for (Stance& stance : contacts.left) stance.on = touch_down(left, stance, slow, band);
-  for (Stance& stance : contacts.right) stance.on = touch_down(right, stance, slow, band);
+  for (auto* foot : {&contacts.left, &contacts.right}) {
+    const FootCourse& course = foot == &contacts.left ? left : right;
+    for (Stance& stance : *foot) {
+      stance.still = stance.on;
+      stance.on = touch_down(course, stance, slow, band);
+    }
+  }
   return contacts;
 }
 

@@ -13,9 +13,11 @@
 
 namespace promenade::motion {
 
-// In frames of the take, between frames where the speed says so.
+// In frames of the take, between frames where the speed says so. Between `on` and `still` the
+// foot lands: it turns about its heel and slides a little.
 struct Stance {
   double on = 0, off = 0;
+  double still = 0;
 };
 
 // One foot over the frames of a take (T each): the slower of ankle and toe, and how far

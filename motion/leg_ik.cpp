@@ -9,7 +9,7 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-// Never quite straight: a straight knee has no side to bend to.
+// Never quite straight, but for knees that are: a straight knee has no side to bend to.
 constexpr double least_bend = 0.04;  // radians
 
 struct Leg {
@@ -28,7 +28,8 @@ struct Leg {
     const double along = thigh.dot(axis) * shank.dot(axis);
     const double span = upper().norm() * lower().norm();
     const double dot = 0.5 * (distance * distance - thigh.squaredNorm() - shank.squaredNorm());
-    return std::acos(std::clamp((dot - along) / span, -1.0, std::cos(least_bend)));
+    const double least = std::clamp(bend(), 0.0, least_bend);
+    return std::acos(std::clamp((dot - along) / span, -1.0, std::cos(least)));
   }
 };
 

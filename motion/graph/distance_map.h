@@ -29,9 +29,12 @@ struct WindowMoments {
 // origin, has distance infinity to all others.
 struct MapSide {
   const Clouds* clouds = nullptr;
+  Eigen::ArrayXd x, y, z;     // T P, over a ground whose origin is in the midst of the take; points
+                              // of frames that cannot be used are 0
   Eigen::VectorXd weights;    // P, sum 1
   std::vector<double> taper;  // k, sum 1
   std::vector<bool> usable;   // of each window
+  std::vector<bool> repeats;  // of each window: nothing has moved since the one before
   WindowMoments moments;
 
   int window() const { return static_cast<int>(taper.size()); }
@@ -40,6 +43,9 @@ struct MapSide {
 
 // `clouds` stay where they are as long as the side is used.
 MapSide map_side(const Clouds& clouds, std::span<const double> taper);
+
+// Whether all frames of a window weigh the same.
+bool is_even(std::span<const double> taper);
 
 // Rows are windows of A from `row` on, columns windows of B from `column` on.
 struct MapArea {
@@ -72,8 +78,6 @@ class TileMaker {
 
   void pack_first(const MapSide& side, const MapArea& area, const Origin& origin);
   void pack_second(const MapSide& side, const MapArea& area, const Origin& origin);
-  void prepare_windows(const MapSide& a, const MapSide& b, const MapArea& area,
-                       const Origin& origin);
   void make_rows(MapTile& tile);
   void multiply_until(int frame);
   void sum_row(int row);
@@ -82,11 +86,12 @@ class TileMaker {
   const MapKernels& kernels_;
   int points_ = 0, window_ = 0, stride_ = 0, ring_rows_ = 0, multiplied_ = 0;
   MapArea area_;
-  bool even_ = false;                  // all frames of a window weigh the same
-  std::vector<float> taper_;           // as it is still to be applied: 1 where `even_`
-  std::vector<float> fours_, panels_;  // frames of A and B (map_kernels.h)
-  std::vector<float> ring_;            // rows of products, by frame of A
-  std::vector<float> sums_;            // along diagonals: of (r, c) at rows - 1 - r + c
+  bool even_ = false;                   // all frames of a window weigh the same
+  std::vector<float> taper_;            // as it is still to be applied: 1 where `even_`
+  std::vector<float> fours_, panels_;   // frames of A and B (map_kernels.h)
+  std::vector<float> ring_;             // rows of products, by frame of A
+  std::vector<ThreeRows<float>> rows_;  // of the ring: those of a window
+  std::vector<float> sums_;             // along diagonals: of (r, c) at rows - 1 - r + c
   Eigen::ArrayXf spread_a_, x_a_, z_a_, spread_b_, x_b_, z_b_;
 };
 

@@ -7,12 +7,31 @@
 
 namespace promenade::motion {
 
+// Feet in arrays: left, right.
+inline constexpr std::array foot_sides = {Side::left, Side::right};
+
+// What a foot stands by.
+enum class Support : unsigned char { heel, ankle, toe };
+
+// Where these are over the ground: x, z; in their order.
+using Ground = Eigen::Matrix<double, 2, 3>;
+Ground ground_under(const Heel& heel, const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe);
+
+// Of a step from frame to frame: what moved least.
+Support support_of(const Ground& step);
+
+// The most that a frame is inside of a stance, or outside.
+inline constexpr double most_inside_seconds = 0.1;
+
 struct FootedLeg {
   Eigen::Vector3d knee;  // the axis that it bends about
   Heel heel;
   // T: how far a frame is inside of a stance, in frames from its nearer end; negative outside.
-  // At most a tenth of a second either way; a stance cut by an end of the take has no end there.
+  // A stance cut by an end of the take has no end there.
   std::vector<double> standing;
+  std::vector<double> still;     // the same without the time in which it lands
+  std::vector<Support> support;  // T - 1: what moves least from a frame to the next
+  Eigen::Matrix2Xd steps;        // 2 x (T - 1): how that moves, metres (x, z)
 };
 
 struct FootedTake {

@@ -6,8 +6,8 @@
 
 namespace promenade::motion {
 
-// Edges, from any node on, of at least so many frames. What was walked less often is more likely
-// to come next, so that a walk does not circle in one loop and sees all of the graph in time.
+// Edges, from any node on, of at least so many frames. Of the edges that lead on, one that was
+// walked least, so that a walk does not circle in one loop and sees all of the graph in time.
 std::vector<int> random_walk(const MotionGraph& graph, std::uint64_t seed, int frames);
 
 struct WantedLabel {
@@ -17,13 +17,13 @@ struct WantedLabel {
 
 struct LabelWalk {
   std::vector<int> edges;
-  int other_label = 0;  // frames with a label that is not the one wanted: passages
+  int other_label = 0;  // frames with another label than the one wanted then
 };
 
-// Shows each label for about its seconds, one after the other, with as few frames of other labels
-// as can be: it leaves a label within a quarter of its seconds from where it should (ours), where
-// the passage to the next is shortest. Of many walks by lot the best is taken: the fewest frames
-// of other labels and beside the wanted seconds, then the transitions that are the most alike.
+// Shows each label for its seconds, one after the other, with as few frames of other labels than
+// the one wanted then as can be: of all walks over the graph, by dynamic programming over its
+// nodes and frames, 20 s at a time (ours). Of walks that are equal in that, the one whose
+// transitions are the most alike, but for a centimetre of luck, by the seed.
 // Throws an InputError where no edge has a label.
 LabelWalk walk_through_labels(const MotionGraph& graph, const std::vector<WantedLabel>& wanted,
                               std::uint64_t seed);

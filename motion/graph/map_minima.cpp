@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/graph/diagonal_distances.h"
 #include "motion/graph/window_distance.h"
 
 namespace promenade::motion {
@@ -22,7 +23,11 @@ MapArea with_margin(const MapArea& area, int rows, int columns) {
 class Search {
  public:
   Search(const MapSide& a, const MapSide& b, const MapArea& area, const MinimaQuery& query)
-      : a_(a), b_(b), area_(area), query_(query) {
+      : a_(a),
+        b_(b),
+        area_(area),
+        query_(query),
+        distances_(a, b, with_margin(area, a.windows(), b.windows())) {
     TileMaker(query.instructions).make(a, b, with_margin(area, a.windows(), b.windows()), tile_);
   }
 
@@ -35,7 +40,7 @@ class Search {
     load(area_.row);
     for (int r = area_.row; r < area_.row + area_.rows; ++r) {
       load(r + 1);
-      search_row(r);
+      if (!a_.repeats[static_cast<std::size_t>(r)]) search_row(r);
     }
     return std::move(minima_);
   }
@@ -80,7 +85,7 @@ class Search {
   }
 
   void consider(int r, int c, float value, float least) {
-    if (!std::isfinite(value)) return;
+    if (!std::isfinite(value) || b_.repeats[static_cast<std::size_t>(c)]) return;
     const bool certain = value + slack(least) < least;
     const double limit = query_.most_rms * query_.most_rms;
     const bool wanted = value <= limit + static_cast<double>(tile_.error);
@@ -93,7 +98,7 @@ class Search {
     }
   }
 
-  bool is_minimum(int r, int c) const {
+  bool is_minimum(int r, int c) {
     const std::int64_t level = level_of(r, c);
     // Those along the diagonal first: they are the most alike, and one smaller is enough.
     constexpr std::array<std::array<int, 2>, 8> neighbours = {
@@ -116,13 +121,16 @@ class Search {
     return window_distance(*a_.clouds, r, *b_.clouds, c + b_.window() - 1, a_.taper);
   }
 
-  std::int64_t level_of(int r, int c) const { return std::llround(between(r, c).rms() / tie); }
+  std::int64_t level_of(int r, int c) {
+    return std::llround(std::sqrt(distances_.mean_square(r, c)) / tie);
+  }
 
   const MapSide& a_;
   const MapSide& b_;
   MapArea area_;
   MinimaQuery query_;
   MapTile tile_;
+  DiagonalDistances distances_;
   std::array<std::vector<float>, 3> rows_;
   std::vector<float> nowhere_, least_;
   MapMinima minima_;

@@ -4,8 +4,9 @@
 //
 // A window pair is a minimum when none of its eight neighbours in the map (those that there are)
 // is smaller. Distances that round to the same hundredth of a millimetre are ties; of them the
-// pair with the smaller row, then column, counts as smaller. Windows with points that are no
-// numbers are in no minimum and in no neighbourhood.
+// pair with the smaller row, then column, counts as smaller. So of somebody who stands motionless
+// the first window is enough. Windows with points that are no numbers are in no minimum and in no
+// neighbourhood.
 #pragma once
 
 #include "motion/graph/distance_map.h"

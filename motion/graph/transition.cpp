@@ -3,45 +3,54 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "motion/angles.h"
-#include "motion/graph/transition_feet.h"
+#include "motion/graph/transition_lay.h"
+#include "motion/graph/transition_plant.h"
 
 namespace promenade::motion {
 namespace {
 
-constexpr double around_s = 1;  // of the captures, on either side of their windows
+constexpr double around_seconds = 1;      // of the captures, on either side of their windows
+constexpr double least_slide_m = 0.0005;  // feet that slide less are left as they are
+// What nobody sees, where captures hardly move: they would refuse every change.
+constexpr double least_gap_m = 0.0005;
+constexpr double least_knee_gap = 0.1 * degree;
+constexpr double rounding = 1 + 1e-9;  // of a gap that is the captures' own
 
-std::string rounded(double value) { return std::to_string(static_cast<long>(std::ceil(value))); }
+std::string rounded_up(double value) { return std::to_string(std::lround(std::ceil(value))); }
 
-// The poses from two frames before the transition to one after B_j, as far as there are any,
-// each as it is seen.
-std::vector<WorldPose> worlds_of(const Blend& blend, int& before) {
+// What is seen from two frames before the transition to two after it, as far as there is any.
+std::vector<WorldPose> worlds_around(const Blend& blend) {
   const auto& [i, j, k] = blend.frames;
+  const auto seen = [&](const Pose& pose) { return forward_kinematics(blend.skeleton(), pose); };
   std::vector<WorldPose> worlds;
-  before = 0;
-  if (i >= 2) {
-    worlds.push_back(
-        forward_kinematics(blend.skeleton(), blend.a.take.poses[static_cast<std::size_t>(i - 2)]));
-    before = 1;
-  }
-  for (const Pose& pose : blend.poses) {
-    worlds.push_back(forward_kinematics(blend.skeleton(), pose));
+  worlds.reserve(blend.poses.size() + 2);
+  if (i >= 2) worlds.push_back(seen(blend.a.take.poses[static_cast<std::size_t>(i - 2)]));
+  for (std::size_t q = 0; q < blend.poses.size(); ++q) {
+    worlds.push_back(placed(blend.poses[q], blend.figures[q]));
   }
   if (j + 1 < blend.b.take.frames()) {
-    worlds.push_back(forward_kinematics(
-        blend.skeleton(), moved(blend.move, blend.b.take.poses[static_cast<std::size_t>(j + 1)])));
+    worlds.push_back(seen(moved(blend.move, blend.b.take.poses[static_cast<std::size_t>(j + 1)])));
   }
   return worlds;
 }
 
-KneeAxes mean_axes(const FootedTake& a, const FootedTake& b) {
-  return {(a.legs[0].knee + b.legs[0].knee).normalized(),
-          (a.legs[1].knee + b.legs[1].knee).normalized()};
+FrameGap gap_of(const Blend& blend) {
+  const std::vector<WorldPose> worlds = worlds_around(blend);
+  std::vector<FrameGap> gaps;
+  gaps.reserve(worlds.size());
+  for (std::size_t f = 1; f + 1 < worlds.size(); ++f) {
+    gaps.push_back(frame_gap(blend.skeleton(), blend.body(), blend.knees, worlds[f - 1], worlds[f],
+                             worlds[f + 1]));
+  }
+  return largest_gap(gaps);
 }
 
-FrameGap gap_around(const FootedTake& footed, int from, int to) {
-  const int around = static_cast<int>(std::lround(around_s / footed.take.frame_time));
+// Of a capture by itself, around its window.
+FrameGap gap_inside(const FootedTake& footed, int from, int to) {
+  const int around = static_cast<int>(std::lround(around_seconds / footed.take.frame_time));
   const int first = std::max(from - around, 0);
   const int last = std::min(to + around, footed.take.frames() - 1);
   return largest_gap(
@@ -49,40 +58,34 @@ FrameGap gap_around(const FootedTake& footed, int from, int to) {
           .subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1)));
 }
 
-void measure(const Blend& blend, const std::array<std::vector<StandingRun>, 2>& runs,
-             Transition& transition) {
-  TransitionQuality& quality = transition.quality;
-  int before = 0;
-  const std::vector<WorldPose> worlds = worlds_of(blend, before);
-  const KneeAxes axes = mean_axes(blend.a, blend.b);
-  for (std::size_t f = 1; f + 1 < worlds.size(); ++f) {
-    const FrameGap gap =
-        frame_gap(blend.skeleton(), blend.body(), axes, worlds[f - 1], worlds[f], worlds[f + 1]);
-    quality.gap_m = std::max(quality.gap_m, gap.place_m);
-    quality.knee_gap = std::max(quality.knee_gap, gap.knee);
-  }
+void measure_gaps(const Blend& blend, TransitionQuality& quality) {
   const auto& [i, j, k] = blend.frames;
-  const FrameGap in_a = gap_around(blend.a, i, i + k - 1);
-  const FrameGap in_b = gap_around(blend.b, j - k + 1, j);
-  quality.inside_gap_m = std::max(in_a.place_m, in_b.place_m);
-  quality.inside_knee_gap = std::max(in_a.knee, in_b.knee);
-  const auto seen = std::span(worlds).subspan(static_cast<std::size_t>(before));
-  for (std::size_t foot = 0; foot < 2; ++foot) {
-    const double slide =
-        slide_m(runs[foot], support_steps(blend, foot, foot_places(blend, foot, seen)));
-    quality.slide_m = std::max(quality.slide_m, slide);
-  }
+  const FrameGap gap = gap_of(blend);
+  const FrameGap inside =
+      largest_gap(std::array{gap_inside(blend.a, i, i + k - 1), gap_inside(blend.b, j - k + 1, j)});
+  quality.gap_m = gap.place_m;
+  quality.knee_gap = gap.knee;
+  quality.inside_gap_m = inside.place_m;
+  quality.inside_knee_gap = inside.knee;
 }
 
-std::string refusal_of(const TransitionQuality& quality, const TransitionLimits& limits) {
+std::array<double, 2> slides(const Blend& blend, const FootRuns& runs) {
+  return {slide_m(runs[0], foot_ground(blend, 0)), slide_m(runs[1], foot_ground(blend, 1))};
+}
+
+std::string refusal_of(const std::array<double, 2>& slide, const TransitionQuality& quality,
+                       const TransitionLimits& limits) {
   if (quality.slide_m > limits.most_slide_m) {
-    return "a foot would slide " + rounded(1000 * quality.slide_m) + " mm";
+    return std::string(slide[0] > slide[1] ? "the left" : "the right") + " foot would slide " +
+           rounded_up(1000 * quality.slide_m) + " mm";
   }
-  if (quality.gap_m > quality.inside_gap_m) {
-    return "a joint would jump by " + rounded(1000 * quality.gap_m) + " mm from frame to frame";
+  if (quality.gap_m > std::max(rounding * quality.inside_gap_m, least_gap_m)) {
+    return "a joint would jump by " + rounded_up(1000 * quality.gap_m) +
+           " mm between frames, more than in the captures";
   }
-  if (quality.knee_gap > quality.inside_knee_gap) {
-    return "a knee would snap by " + rounded(quality.knee_gap / degree) + " degrees";
+  if (quality.knee_gap > std::max(rounding * quality.inside_knee_gap, least_knee_gap)) {
+    return "a knee would snap by " + rounded_up(quality.knee_gap / degree) +
+           " degrees between frames, more than in the captures";
   }
   return {};
 }
@@ -105,12 +108,22 @@ Transition make_transition(const FootedTake& a, const FootedTake& b, const Trans
     transition.refusal = "no frame stands before it";
     return transition;
   }
-  const Blend blend = make_blend(a, b, frames, match);
-  const std::array runs = {standing_runs(blend, 0), standing_runs(blend, 1)};
-  measure(blend, runs, transition);
-  transition.quality.slide_raw_m = transition.quality.slide_m;
-  transition.refusal = refusal_of(transition.quality, limits);
-  transition.poses.assign(blend.poses.begin() + 1, blend.poses.end() - 1);
+  Blend blend = make_blend(a, b, frames, match);
+  const FootRuns runs = {standing_runs(blend, 0), standing_runs(blend, 1)};
+  TransitionQuality& quality = transition.quality;
+  std::array slide = slides(blend, runs);
+  quality.slide_raw_m = std::max(slide[0], slide[1]);
+  if (quality.slide_raw_m > least_slide_m) {
+    lay_by_feet(blend, runs);
+    quality.moved_m = plant_feet(blend, runs);
+    slide = slides(blend, runs);
+  }
+  quality.slide_m = std::max(slide[0], slide[1]);
+  measure_gaps(blend, quality);
+  transition.move = blend.move;
+  transition.refusal = refusal_of(slide, quality, limits);
+  transition.poses.assign(std::make_move_iterator(blend.poses.begin() + 1),
+                          std::make_move_iterator(blend.poses.end() - 1));
   return transition;
 }
 

@@ -20,7 +20,10 @@ Pose unplaced(Pose pose) {
 
 Blend make_blend(const FootedTake& a, const FootedTake& b, const TransitionFrames& frames,
                  const PlanarMove& move) {
-  Blend blend{a, b, frames, move, {}, {}, {}};
+  Blend blend{a, b, frames, move, {}, {}, {}, {}};
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    blend.knees[foot] = (a.legs[foot].knee + b.legs[foot].knee).normalized();
+  }
   const auto count = static_cast<std::size_t>(frames.k) + 1;
   blend.poses.reserve(count);
   blend.figures.resize(count);
@@ -35,11 +38,24 @@ Blend make_blend(const FootedTake& a, const FootedTake& b, const TransitionFrame
       blend.poses.push_back(
           mix(pose_of(a, frames.i - 1 + q), pose_of(b, frames.j - frames.k + q), share));
     }
-    forward_kinematics(blend.skeleton(), unplaced(blend.poses.back()),
-                       blend.figures[static_cast<std::size_t>(q)]);
+    look(blend, q);
   }
   lay(blend, move);
   return blend;
+}
+
+WorldPose placed(const Pose& pose, const WorldPose& figure) {
+  const Eigen::Quaterniond& turn = pose.rotations[0];
+  WorldPose world;
+  world.positions = (turn.toRotationMatrix() * figure.positions).colwise() + pose.root;
+  world.rotations.reserve(figure.rotations.size());
+  for (const Eigen::Quaterniond& own : figure.rotations) world.rotations.push_back(turn * own);
+  return world;
+}
+
+void look(Blend& blend, int q) {
+  const auto f = static_cast<std::size_t>(q);
+  forward_kinematics(blend.skeleton(), unplaced(blend.poses[f]), blend.figures[f]);
 }
 
 void lay(Blend& blend, const PlanarMove& move) {

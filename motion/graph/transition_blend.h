@@ -15,6 +15,7 @@ struct Blend {
   TransitionFrames frames;
   PlanarMove move;                 // lays B over A
   std::vector<double> share;       // k + 1: of B, 0 to 1
+  KneeAxes knees;                  // means of both
   std::vector<Pose> poses;         // k + 1, where A is
   std::vector<WorldPose> figures;  // k + 1: what they look like, the pelvis at the origin, unturned
 
@@ -30,6 +31,12 @@ struct Blend {
 // A_{i-1} and the frames behind it that the transition needs are there.
 Blend make_blend(const FootedTake& a, const FootedTake& b, const TransitionFrames& frames,
                  const PlanarMove& move);
+
+// What a figure looks like in the world.
+WorldPose placed(const Pose& pose, const WorldPose& figure);
+
+// Looks at the pose of a frame again, after it was changed.
+void look(Blend& blend, int q);
 
 // Lays B elsewhere: only where the pelvis is, and how it is turned, depends on that.
 void lay(Blend& blend, const PlanarMove& move);

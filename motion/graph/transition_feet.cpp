@@ -15,80 +15,74 @@ Heel heel_of(const Blend& blend, std::size_t foot) {
   return {0.5 * (a.behind + b.behind), 0.5 * (a.below + b.below)};
 }
 
+bool lands(const std::vector<StandingRun>& runs, int q) {
+  return std::any_of(runs.begin(), runs.end(),
+                     [q](const StandingRun& run) { return run.from <= q && q < run.still; });
+}
+
 }  // namespace
 
+double standing_depth(const Blend& blend, std::size_t foot, int q,
+                      std::vector<double> FootedLeg::*inside) {
+  const auto& [i, j, k] = blend.frames;
+  const double share = blend.share[static_cast<std::size_t>(q)];
+  const double in_a = depth_at(blend.a.legs[foot].*inside, i - 1 + q);
+  if (share == 0) return in_a;
+  return (1 - share) * in_a + share * depth_at(blend.b.legs[foot].*inside, j - k + q);
+}
+
 std::vector<StandingRun> standing_runs(const Blend& blend, std::size_t foot) {
-  const std::vector<double>& in_a = blend.a.legs[foot].standing;
-  const std::vector<double>& in_b = blend.b.legs[foot].standing;
-  const TransitionFrames& frames = blend.frames;
   std::vector<StandingRun> runs;
-  for (int q = 0; q <= frames.k; ++q) {
-    const double share = blend.share[static_cast<std::size_t>(q)];
-    double depth = (1 - share) * depth_at(in_a, frames.i - 1 + q);
-    if (q > 0) depth += share * depth_at(in_b, frames.j - frames.k + q);
-    if (depth < 0) continue;
-    if (!runs.empty() && runs.back().to == q - 1) {
-      runs.back().to = q;
-    } else {
-      runs.push_back({q, q});
-    }
+  for (int q = 0; q <= blend.last(); ++q) {
+    if (standing_depth(blend, foot, q, &FootedLeg::standing) < 0) continue;
+    if (runs.empty() || runs.back().to != q - 1) runs.push_back({q, q, q});
+    StandingRun& run = runs.back();
+    run.to = q;
+    if (run.still == q && standing_depth(blend, foot, q, &FootedLeg::still) < 0) ++run.still;
   }
   return runs;
 }
 
-FootPlaces foot_places(const Blend& blend, std::size_t foot) {
+std::vector<Ground> foot_ground(const Blend& blend, std::size_t foot) {
   const LegJoints leg = leg_joints(foot_sides[foot]);
-  FootPlaces places;
-  places.ankle.resize(3, blend.last() + 1);
-  places.toe.resize(3, blend.last() + 1);
-  for (int q = 0; q <= blend.last(); ++q) {
-    places.ankle.col(q) = blend.place(q, leg.ankle);
-    places.toe.col(q) = blend.place(q, leg.toe);
-  }
-  return places;
-}
-
-FootPlaces foot_places(const Blend& blend, std::size_t foot, std::span<const WorldPose> worlds) {
-  const LegJoints leg = leg_joints(foot_sides[foot]);
-  FootPlaces places;
-  places.ankle.resize(3, blend.last() + 1);
-  places.toe.resize(3, blend.last() + 1);
-  for (int q = 0; q <= blend.last(); ++q) {
-    const Eigen::Matrix3Xd& world = worlds[static_cast<std::size_t>(q)].positions;
-    places.ankle.col(q) = world.col(blend.body().joint[leg.ankle]);
-    places.toe.col(q) = world.col(blend.body().joint[leg.toe]);
-  }
-  return places;
-}
-
-Eigen::Matrix2Xd support_steps(const Blend& blend, std::size_t foot, const FootPlaces& places) {
   const Heel heel = heel_of(blend, foot);
-  const auto ground = [&](Eigen::Index q) {
-    Eigen::Matrix3d points;
-    points.col(0) = heel_position(heel, places.ankle.col(q), places.toe.col(q));
-    points.col(1) = places.ankle.col(q);
-    points.col(2) = places.toe.col(q);
-    Eigen::Matrix<double, 2, 3> flat;
-    flat << points.row(0), points.row(2);
-    return flat;
-  };
-  Eigen::Matrix2Xd steps(2, blend.last());
-  Eigen::Matrix<double, 2, 3> before = ground(0);
-  for (Eigen::Index q = 0; q < steps.cols(); ++q) {
-    const Eigen::Matrix<double, 2, 3> now = ground(q + 1);
-    Eigen::Index least = 0;
-    (now - before).colwise().squaredNorm().minCoeff(&least);
-    steps.col(q) = now.col(least) - before.col(least);
-    before = now;
+  std::vector<Ground> ground;
+  for (int q = 0; q <= blend.last(); ++q) {
+    ground.push_back(ground_under(heel, blend.place(q, leg.ankle), blend.place(q, leg.toe)));
+  }
+  return ground;
+}
+
+Eigen::Matrix2Xd support_steps(const Blend& blend, std::size_t foot,
+                               const std::vector<StandingRun>& runs,
+                               const std::vector<Ground>& ground) {
+  const auto& [i, j, k] = blend.frames;
+  const FootedLeg &a = blend.a.legs[foot], &b = blend.b.legs[foot];
+  const Eigen::Rotation2Dd turn(-blend.move.theta);
+  Eigen::Matrix2Xd steps(2, k);
+  for (int q = 0; q < k; ++q) {
+    const auto f = static_cast<std::size_t>(q);
+    const int in_a = i - 1 + q, in_b = j - k + q;
+    const double share = 0.5 * (blend.share[f] + blend.share[f + 1]);
+    const Support point = share < 0.5 ? a.support[static_cast<std::size_t>(in_a)]
+                                      : b.support[static_cast<std::size_t>(in_b)];
+    steps.col(q) = (ground[f + 1] - ground[f]).col(static_cast<Eigen::Index>(point));
+    if (!lands(runs, q)) continue;
+    steps.col(q) -= (1 - share) * a.steps.col(in_a);
+    if (in_b >= 0) steps.col(q) -= share * (turn * b.steps.col(in_b));
   }
   return steps;
 }
 
-double slide_m(const std::vector<StandingRun>& runs, const Eigen::Matrix2Xd& steps) {
+double slide_m(const std::vector<StandingRun>& runs, const std::vector<Ground>& ground) {
   double longest = 0;
   for (const StandingRun& run : runs) {
-    longest =
-        std::max(longest, steps.middleCols(run.from, run.to - run.from).colwise().norm().sum());
+    double way = 0;
+    for (int q = run.still; q < run.to; ++q) {
+      const auto f = static_cast<std::size_t>(q);
+      way += (ground[f + 1] - ground[f]).colwise().norm().minCoeff();
+    }
+    longest = std::max(longest, way);
   }
   return longest;
 }

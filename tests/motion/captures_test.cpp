@@ -1,24 +1,14 @@
-// Real captures, where they are at hand: ../shared/data beside the tree, or the folder
-// that $PROMENADE_DATA names. Nothing of them is part of Promenade.
-#include <gtest/gtest.h>
+#include "tests/motion/captures.h"
 
-#include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "motion/load_clip.h"
 #include "motion/set_builder.h"
-#include "tests/source_dir.h"
 
 namespace promenade::motion {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path data_folder() {
-  const char* named = std::getenv("PROMENADE_DATA");
-  return named && *named ? fs::path(named) : source_dir() / "../shared/data";
-}
 
 // dataset-1_walk_happy_001.bvh and so on: fifteen styles, two takes each.
 std::vector<TakeSource> walks() {
@@ -34,16 +24,6 @@ std::vector<TakeSource> walks() {
   }
   return takes;
 }
-
-class Captures : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!fs::is_directory(data_folder())) {
-      GTEST_SKIP() << "There are no captures in " << data_folder()
-                   << "; name their folder in PROMENADE_DATA to run this test.";
-    }
-  }
-};
 
 // Of one actor, by Bandai Namco.
 class CapturedWalks : public Captures {

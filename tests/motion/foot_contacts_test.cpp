@@ -77,5 +77,18 @@ TEST(FootContacts, ComeOnceACycleForEachFoot) {
   }
 }
 
+TEST(FootContacts, LandBeforeTheyAreStill) {
+  const MotionSet set = builtin_set("A").value();
+  int landing = 0;
+  for (const Cycle& cycle : set.cycles) {
+    for (const Stance& stance : find_contacts(recorded(set, cycle)).left) {
+      EXPECT_LE(stance.on, stance.still) << cycle.name;
+      EXPECT_LT(stance.still, stance.off) << cycle.name;
+      if (stance.on < stance.still) ++landing;
+    }
+  }
+  EXPECT_GT(landing, 10);
+}
+
 }  // namespace
 }  // namespace promenade::motion
