@@ -108,8 +108,10 @@ void PathView::draw(const Ui& ui) {
   draw_head(ui);
   draw_stage(ui);
   draw_plane(ui, ui.layout.box(856, 72, 400, 400));
-  draw_labels(ui, ui.layout.box(856, 484, 400, 66));
-  draw_state(ui, ui.layout.box(856, 562, 400, 62));
+  const float used = draw_labels(ui, ui.layout.box(856, 484, 400, 66));
+  Box state = ui.layout.box(856, 498, 400, 62);
+  state.y += used;
+  draw_state(ui, state);
   draw_foot(ui);
 }
 
@@ -271,7 +273,7 @@ void PathView::take_back() {
   if (!scene_.drawing.corners().empty()) cursor_ = scene_.drawing.corners().back().at;
 }
 
-void PathView::draw_labels(const Ui& ui, const Box& box) {
+float PathView::draw_labels(const Ui& ui, const Box& box) {
   const float high = ui.layout.size(30), gap = ui.layout.size(6);
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::BeginChild("labels", {box.width, box.height}, false, ImGuiWindowFlags_NoBackground);
@@ -289,6 +291,7 @@ void PathView::draw_labels(const Ui& ui, const Box& box) {
   ImGui::SetCursorScreenPos({from.x, at.y + high});
   ImGui::EndChild();
   choose_by_key(ui);
+  return std::min(box.height, at.y + high - from.y);
 }
 
 void PathView::draw_label(const Ui& ui, const Box& box, std::size_t k) {
