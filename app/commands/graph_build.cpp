@@ -10,6 +10,7 @@
 #include "analysis/pictures/graph_picture.h"
 #include "app/commands/graph_parts.h"
 #include "app/commands/graph_sources.h"
+#include "app/commands/graph_table.h"
 #include "app/print.h"
 #include "motion/decimal.h"
 #include "motion/did_you_mean.h"
@@ -24,7 +25,7 @@ struct Arguments {
   motion::MatchOptions match;
   std::vector<std::string> between;  // "sad,happy=0.04"
   std::vector<std::string> labels;
-  std::string out, pictures;
+  std::string out, pictures, table;
   bool json = false;
 };
 
@@ -176,6 +177,7 @@ void build(const Arguments& given) {
         {{"distances.svg", analysis::distance_picture(built, analysis::distances_of(built.graph))},
          {"graph.svg", analysis::graph_picture(built)}});
   }
+  if (!given.table.empty()) write_file(given.table, transitions_csv(built));
   if (given.json) return print_json(graph_json(built));
   print_text(graph_text(built, given.out));
 }
@@ -213,6 +215,9 @@ void add_graph_build(Command graph_command) {
       .capture_default_str();
   command.add_flag("--tapered", match.tapered, "Frames in the middle of a window count more");
   command.add_option("--pictures", given->pictures, "A folder for pictures (SVG) of the graph");
+  command.add_option(
+      "--table", given->table,
+      "A table (.csv) of every transition: how alike, how its feet slide, how smooth");
   command.add_flag("--json", given->json, "One JSON document on stdout");
   command.callback([given] { build(*given); });
 }

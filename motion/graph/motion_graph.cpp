@@ -88,7 +88,7 @@ void drop_refused(const std::vector<std::string>& refusals, std::vector<Passage>
     } else {
       built.refusals.push_back({passages[p].from_take, passages[p].to_take,
                                 passages[p].transition.frames, passages[p].transition.rms_m,
-                                refusals[p]});
+                                passages[p].transition.quality, refusals[p]});
     }
   }
   passages = std::move(kept);

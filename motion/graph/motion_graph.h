@@ -75,6 +75,7 @@ struct RefusedTransition {
   int from_take = 0, to_take = 0;
   TransitionFrames frames;
   double rms_m = 0;
+  TransitionQuality quality;
   std::string reason;
 };
 
