@@ -197,14 +197,16 @@ void PathPicture::draw_walker(const Vector2d& at, const Vector2d& heading) const
     return ImVec2(middle.x + forward * ahead.x - aside * ahead.y,
                   middle.y + forward * ahead.y + aside * ahead.x);
   };
-  const auto arrow = [&](float rim, const Rgb& colour) {
-    const float radius = ui_.layout.size(7) + rim;
-    list->AddTriangleFilled(point(2.2f * radius, 0), point(0.5f * radius, radius),
-                            point(0.5f * radius, -radius), packed(colour));
-    list->AddCircleFilled(middle, radius, packed(colour), 32);
+  const float radius = ui_.layout.size(6);
+  const auto draw = [&](float rim, const Rgb& colour) {
+    list->AddCircleFilled(middle, radius + rim, packed(colour), 32);
+    list->AddTriangleFilled(point(2.6f * radius + 1.6f * rim, 0),
+                            point(1.4f * radius - 0.6f * rim, 0.9f * radius + 1.4f * rim),
+                            point(1.4f * radius - 0.6f * rim, -0.9f * radius - 1.4f * rim),
+                            packed(colour));
   };
-  arrow(ui_.layout.size(2), palette.on_colour);
-  arrow(0, palette.current);
+  draw(ui_.layout.size(2), palette.on_colour);
+  draw(0, palette.current);
 }
 
 // At the rim of the plane, on the side from which the figure is seen.

@@ -108,8 +108,10 @@ void PathView::draw(const Ui& ui) {
   draw_head(ui);
   draw_stage(ui);
   draw_plane(ui, ui.layout.box(856, 72, 400, 400));
-  draw_labels(ui, ui.layout.box(856, 484, 400, 66));
-  draw_state(ui, ui.layout.box(856, 562, 400, 62));
+  const float used = draw_labels(ui, ui.layout.box(856, 484, 400, 66));
+  Box state = ui.layout.box(856, 498, 400, 62);
+  state.y += used;
+  draw_state(ui, state);
   draw_foot(ui);
 }
 
@@ -159,7 +161,11 @@ void PathView::draw_picture(const Ui& ui, const GroundPlan& plan, const PlaneTou
   ImGui::PushClipRect({box.x, box.y}, {box.right(), box.bottom()}, true);
   picture.draw_grid();
   const std::vector<DrawnCorner> corners = corners_in_sight(plan, touch);
-  if (corners.size() > 1) picture.draw_wanted(path_through(corners));
+  if (wanted_ && corners.size() == scene_.drawing.ended()) {
+    picture.draw_wanted(*wanted_);
+  } else if (corners.size() > 1) {
+    picture.draw_wanted(path_through(corners));
+  }
   if (walked_) picture.draw_walked(way_);
   for (const DrawnCorner& corner : scene_.drawing.corners()) {
     const bool alone = scene_.drawing.open() && !scene_.drawing.drawing();
@@ -182,6 +188,7 @@ void PathView::draw_plane(const Ui& ui, const Box& box) {
   const PlaneTouch touch = plane(ui, "draw", "path", box, zero, {-before.unit(), before.unit()});
   use_mouse(ui, before, touch);
   if (touch.focused) use_keys(before);
+  if (key_pressed(ImGuiKey_Backspace)) take_back();  // nothing else has a use for it
   const GroundPlan plan{box, sight_};
   draw_picture(ui, plan, touch);
   if (!scene_.drawing.corners().empty()) return;
@@ -242,7 +249,6 @@ void PathView::use_keys(const GroundPlan& plan) {
   if (key_pressed(ImGuiKey_PageDown)) sight_ = zoomed(sight_, -1, cursor_);
   if (key_pressed(ImGuiKey_Home)) sight_ = {};
   if (key_pressed(ImGuiKey_Enter, false) || key_pressed(ImGuiKey_Space, false)) set_corner();
-  if (key_pressed(ImGuiKey_Backspace)) take_back();
 }
 
 // By half a metre, with Shift by a tenth; the sight goes along.
@@ -267,7 +273,7 @@ void PathView::take_back() {
   if (!scene_.drawing.corners().empty()) cursor_ = scene_.drawing.corners().back().at;
 }
 
-void PathView::draw_labels(const Ui& ui, const Box& box) {
+float PathView::draw_labels(const Ui& ui, const Box& box) {
   const float high = ui.layout.size(30), gap = ui.layout.size(6);
   ImGui::SetCursorScreenPos({box.x, box.y});
   ImGui::BeginChild("labels", {box.width, box.height}, false, ImGuiWindowFlags_NoBackground);
@@ -285,6 +291,7 @@ void PathView::draw_labels(const Ui& ui, const Box& box) {
   ImGui::SetCursorScreenPos({from.x, at.y + high});
   ImGui::EndChild();
   choose_by_key(ui);
+  return std::min(box.height, at.y + high - from.y);
 }
 
 void PathView::draw_label(const Ui& ui, const Box& box, std::size_t k) {
