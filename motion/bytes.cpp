@@ -29,6 +29,7 @@ Unsigned from_little_endian(std::string_view bytes) {
 void ByteWriter::u32(std::uint32_t value) { append(bytes_, value); }
 void ByteWriter::u64(std::uint64_t value) { append(bytes_, value); }
 void ByteWriter::f64(double value) { append(bytes_, std::bit_cast<std::uint64_t>(value)); }
+void ByteWriter::f32(float value) { append(bytes_, std::bit_cast<std::uint32_t>(value)); }
 
 void ByteWriter::count(std::size_t value) {
   assert(value <= UINT32_MAX && "counts are written in 32 bits");
@@ -59,6 +60,7 @@ std::string_view ByteReader::take(std::size_t size) {
 std::uint32_t ByteReader::u32() { return from_little_endian<std::uint32_t>(take(4)); }
 std::uint64_t ByteReader::u64() { return from_little_endian<std::uint64_t>(take(8)); }
 double ByteReader::f64() { return std::bit_cast<double>(u64()); }
+float ByteReader::f32() { return std::bit_cast<float>(u32()); }
 
 std::size_t ByteReader::count(std::size_t least_bytes) {
   assert(least_bytes > 0 && "things without bytes cannot be bounded by the file");

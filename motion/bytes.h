@@ -15,6 +15,7 @@ class ByteWriter {
   void u32(std::uint32_t value);
   void u64(std::uint64_t value);
   void f64(double value);
+  void f32(float value);
   void count(std::size_t value);  // as u32
   void text(std::string_view value);
   void numbers(const double* values, std::size_t size);  // without their count
@@ -31,6 +32,7 @@ class ByteReader {
   std::uint32_t u32();
   std::uint64_t u64();
   double f64();
+  float f32();
   // A number of things of which each takes at least `least_bytes` (from 1).
   std::size_t count(std::size_t least_bytes);
   std::string text();

@@ -266,7 +266,7 @@ PublicData make_public(ExportSource& source, const ReviewedAnswers& reviewed) {
   source.is_public = true;
   source.database.exec(maps_sql);
   data.left_out_people = Renaming(source).rename();
-  Published published = publish_answers(source.database, source.instruments, reviewed);
+  PublishedAnswers published = publish_answers(source.database, source.instruments, reviewed);
   data.questions = std::move(published.questions);
   data.cells = std::move(published.cells);
   data.withheld_texts = published.withheld_texts;

@@ -79,7 +79,7 @@ class Publisher {
     for (PublicPerson& person : people_) person_of_[person.uuid] = &person;
   }
 
-  Published publish() {
+  PublishedAnswers publish() {
     collect_traits();
     hide_small_cells();
     for (const StoredAnswer& one : answers_) publish(one);
@@ -189,13 +189,14 @@ class Publisher {
   std::vector<PublicPerson> people_;
   std::map<std::string, PublicPerson*> person_of_;  // by uuid
   Statement insert_;
-  Published published_;
+  PublishedAnswers published_;
 };
 
 }  // namespace
 
-Published publish_answers(Database& database, const std::vector<study::Instrument>& instruments,
-                          const ReviewedAnswers& reviewed) {
+PublishedAnswers publish_answers(Database& database,
+                                 const std::vector<study::Instrument>& instruments,
+                                 const ReviewedAnswers& reviewed) {
   return Publisher(database, instruments, reviewed).publish();
 }
 

@@ -11,7 +11,7 @@
 
 namespace promenade::analysis {
 
-struct Published {
+struct PublishedAnswers {
   std::vector<std::string> questions;  // the first is `simulated`: people are told apart by it
   std::vector<DemographicCell> cells;
   int withheld_texts = 0;
@@ -21,8 +21,8 @@ struct Published {
 // instrument named "demographics", and the language where there are several. Numbers among
 // them become groups of ten. Of a questionnaire that this program cannot read, words and
 // what was asked at the start are left out.
-Published publish_answers(study::Database& database,
-                          const std::vector<study::Instrument>& instruments,
-                          const ReviewedAnswers& reviewed);
+PublishedAnswers publish_answers(study::Database& database,
+                                 const std::vector<study::Instrument>& instruments,
+                                 const ReviewedAnswers& reviewed);
 
 }  // namespace promenade::analysis

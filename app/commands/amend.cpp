@@ -58,16 +58,15 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_amend_command(CLI::App& program) {
+void add_amend_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("amend", "A changed study from now on, with a reason");
-  command->add_option("DB", options->database, "the database of its sessions")->required();
-  command->add_option("study", options->file, "the changed study file (.toml or .study)")
-      ->required();
-  command->add_option("--reason", options->reason, "why it is changed; stands in every report")
-      ->required();
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  Command command = program.add_subcommand("amend", "A changed study from now on, with a reason");
+  command.add_option("DB", options->database, "the database of its sessions").required();
+  command.add_option("study", options->file, "the changed study file (.toml or .study)").required();
+  command.add_option("--reason", options->reason, "why it is changed; stands in every report")
+      .required();
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

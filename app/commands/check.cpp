@@ -231,17 +231,17 @@ void run(const std::vector<std::string>& files, const std::string& ethics, bool 
 
 }  // namespace
 
-void add_check_command(CLI::App& program) {
+void add_check_command(Command program) {
   auto files = std::make_shared<std::vector<std::string>>();
   auto ethics = std::make_shared<std::string>();
   auto json = std::make_shared<bool>(false);
-  CLI::App* command = program.add_subcommand("check", "Reads everything a study names");
-  command->add_option("studies", *files, "study files (.toml)")->required();
-  command->add_option("--ethics", *ethics,
-                      "a page for an ethics board to write (.html or .md): what is asked and "
-                      "stored, and how people withdraw");
-  command->add_flag("--json", *json, "one JSON document on stdout");
-  command->callback([files, ethics, json] { run(*files, *ethics, *json); });
+  Command command = program.add_subcommand("check", "Reads everything a study names");
+  command.add_option("studies", *files, "study files (.toml)").required();
+  command.add_option("--ethics", *ethics,
+                     "a page for an ethics board to write (.html or .md): what is asked and "
+                     "stored, and how people withdraw");
+  command.add_flag("--json", *json, "one JSON document on stdout");
+  command.callback([files, ethics, json] { run(*files, *ethics, *json); });
 }
 
 }  // namespace promenade::app

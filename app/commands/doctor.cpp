@@ -44,18 +44,17 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_doctor_command(CLI::App& program) {
+void add_doctor_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("doctor", "Is this machine fit for a study, and why?");
-  command->add_option("--db", options->doctor.database,
-                      "the database of the study, whose disk is tried (default: in results/)");
-  command
-      ->add_option("--seconds", options->doctor.seconds, "how long frames are timed (default: 4)")
-      ->check(CLI::Range(1.0, 600.0));
-  command->add_flag("--windowed", options->doctor.windowed,
-                    "1280 x 720 instead of the whole screen");
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  Command command = program.add_subcommand("doctor", "Is this machine fit for a study, and why?");
+  command.add_option("--db", options->doctor.database,
+                     "the database of the study, whose disk is tried (default: in results/)");
+  command.add_option("--seconds", options->doctor.seconds, "how long frames are timed (default: 4)")
+      .range(1.0, 600.0);
+  command.add_flag("--windowed", options->doctor.windowed,
+                   "1280 x 720 instead of the whole screen");
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

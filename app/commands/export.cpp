@@ -30,26 +30,26 @@ void run_export(Arguments& arguments) {
 
 }  // namespace
 
-void add_export_command(CLI::App& program) {
-  CLI::App* command =
+void add_export_command(Command program) {
+  Command command =
       program.add_subcommand("export", "From a database to CSV with a codebook (Psych-DS)");
   auto arguments = std::make_shared<Arguments>();
   analysis::ExportOptions& options = arguments->options;
-  command->add_option("DB", options.database, "the database of a study")->required();
-  command->add_option("--out", arguments->folder, "folder of the tables")->required();
-  CLI::Option* is_public = command->add_flag("--public", options.is_public);
-  is_public->description("new codes, relative times, coarse demographics, no free text");
-  command->add_option("--reviewed", options.reviewed_file)
-      ->description("CSV of the free answers that may be published")
-      ->needs(is_public);
-  command->add_flag("--with-motions", options.with_motions)
-      ->description("also the motions of captures: when their licence allows it")
-      ->needs(is_public);
-  command->add_flag("--include-simulated", options.selection.include_simulated)
-      ->description("simulated participants are in people_wide.csv, too");
-  command->add_flag("--include-pilot", options.selection.include_pilot)
-      ->description("pilot sessions are in people_wide.csv, too");
-  command->callback([arguments] { run_export(*arguments); });
+  command.add_option("DB", options.database, "the database of a study").required();
+  command.add_option("--out", arguments->folder, "folder of the tables").required();
+  Option is_public = command.add_flag("--public", options.is_public);
+  is_public.description("new codes, relative times, coarse demographics, no free text");
+  command.add_option("--reviewed", options.reviewed_file)
+      .description("CSV of the free answers that may be published")
+      .needs(is_public);
+  command.add_flag("--with-motions", options.with_motions)
+      .description("also the motions of captures: when their licence allows it")
+      .needs(is_public);
+  command.add_flag("--include-simulated", options.selection.include_simulated)
+      .description("simulated participants are in people_wide.csv, too");
+  command.add_flag("--include-pilot", options.selection.include_pilot)
+      .description("pilot sessions are in people_wide.csv, too");
+  command.callback([arguments] { run_export(*arguments); });
 }
 
 }  // namespace promenade::app

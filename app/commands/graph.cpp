@@ -14,13 +14,14 @@ motion::MotionGraph load_graph(const std::string& file) {
   return graph;
 }
 
-void add_graph_command(CLI::App& program) {
-  CLI::App* command =
+void add_graph_command(Command program) {
+  Command command =
       program.add_subcommand("graph", "Motion graphs: transitions between captures, walks");
-  command->require_subcommand(1);
-  add_graph_build(*command);
-  add_graph_walk(*command);
-  add_graph_path(*command);
+  command.require_subcommand();
+  add_graph_distance(command);
+  add_graph_build(command);
+  add_graph_walk(command);
+  add_graph_path(command);
 }
 
 }  // namespace promenade::app

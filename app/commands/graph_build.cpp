@@ -10,6 +10,7 @@
 #include "analysis/pictures/graph_picture.h"
 #include "app/commands/graph_parts.h"
 #include "app/commands/graph_sources.h"
+#include "app/commands/graph_table.h"
 #include "app/print.h"
 #include "motion/decimal.h"
 #include "motion/did_you_mean.h"
@@ -24,7 +25,7 @@ struct Arguments {
   motion::MatchOptions match;
   std::vector<std::string> between;  // "sad,happy=0.04"
   std::vector<std::string> labels;
-  std::string out, pictures;
+  std::string out, pictures, table;
   bool json = false;
 };
 
@@ -176,45 +177,49 @@ void build(const Arguments& given) {
         {{"distances.svg", analysis::distance_picture(built, analysis::distances_of(built.graph))},
          {"graph.svg", analysis::graph_picture(built)}});
   }
+  if (!given.table.empty()) write_file(given.table, transitions_csv(built));
   if (given.json) return print_json(graph_json(built));
   print_text(graph_text(built, given.out));
 }
 
 }  // namespace
 
-void add_graph_build(CLI::App& graph_command) {
-  auto* command = graph_command.add_subcommand(
+void add_graph_build(Command graph_command) {
+  Command command = graph_command.add_subcommand(
       "build", "Find where captures are alike and join them there by transitions");
   const auto given = std::make_shared<Arguments>();
   motion::MatchOptions& match = given->match;
   command
-      ->add_option("files", given->sources.names,
-                   "Captures (.bvh, .amc), also as LABEL=FILE; or one recipe (.toml); or one "
-                   "motion set (a file, builtin:A, B or N)")
-      ->required();
-  command->add_option("--out", given->out, "The graph to write")->required();
-  command->add_option("--folder", given->sources.folder,
-                      "Where a recipe's captures lie, if not where it says");
-  command->add_option("--rate", given->sources.rate, "Frames a second; else that of the captures")
-      ->check(CLI::Range(5.0, 1000.0));
-  auto* threshold = command->add_option("--threshold", match.threshold_m,
+      .add_option("files", given->sources.names,
+                  "Captures (.bvh, .amc), also as LABEL=FILE; or one recipe (.toml); or one "
+                  "motion set (a file, builtin:A, B or N)")
+      .required();
+  command.add_option("--out", given->out, "The graph to write").required();
+  command.add_option("--folder", given->sources.folder,
+                     "Where a recipe's captures lie, if not where it says");
+  command.add_option("--rate", given->sources.rate, "Frames a second; else that of the captures")
+      .range(5.0, 1000.0);
+  Option threshold = command.add_option("--threshold", match.threshold_m,
                                         "How far apart windows may be, metres (RMS over joints)");
-  threshold->check(CLI::PositiveNumber)->capture_default_str();
+  threshold.positive().capture_default_str();
   command
-      ->add_option("--best", match.quantile,
-                   "Instead of a threshold: the best share of all places, 0 to 1")
-      ->check(CLI::Range(0.0, 1.0))
-      ->excludes(threshold);
-  command->add_option("--between", given->between,
-                      "A threshold between two labels, A,B=METRES; can be given again");
-  command->add_option("--labels", given->labels, "Use takes of these labels only")->delimiter(',');
-  command->add_option("--window", match.window_s, "Length of windows and transitions, seconds")
-      ->check(CLI::Range(0.05, 5.0))
-      ->capture_default_str();
-  command->add_flag("--tapered", match.tapered, "Frames in the middle of a window count more");
-  command->add_option("--pictures", given->pictures, "A folder for pictures (SVG) of the graph");
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { build(*given); });
+      .add_option("--best", match.quantile,
+                  "Instead of a threshold: the best share of all places, 0 to 1")
+      .range(0.0, 1.0)
+      .excludes(threshold);
+  command.add_option("--between", given->between,
+                     "A threshold between two labels, A,B=METRES; can be given again");
+  command.add_option("--labels", given->labels, "Use takes of these labels only").delimiter(',');
+  command.add_option("--window", match.window_s, "Length of windows and transitions, seconds")
+      .range(0.05, 5.0)
+      .capture_default_str();
+  command.add_flag("--tapered", match.tapered, "Frames in the middle of a window count more");
+  command.add_option("--pictures", given->pictures, "A folder for pictures (SVG) of the graph");
+  command.add_option(
+      "--table", given->table,
+      "A table (.csv) of every transition: how alike, how its feet slide, how smooth");
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { build(*given); });
 }
 
 }  // namespace promenade::app

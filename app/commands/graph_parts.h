@@ -1,16 +1,16 @@
 // The subcommands of `promenade graph`, and what they share. For app/commands/graph*.cpp only.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
+#include "app/command_line.h"
 #include "app/print.h"
 #include "motion/graph/graph_walk.h"
 
 namespace promenade::app {
 
-void add_graph_build(CLI::App& graph_command);
-void add_graph_walk(CLI::App& graph_command);
-void add_graph_path(CLI::App& graph_command);
+void add_graph_distance(Command graph_command);
+void add_graph_build(Command graph_command);
+void add_graph_walk(Command graph_command);
+void add_graph_path(Command graph_command);
 
 inline constexpr double most_walk_seconds = 3600;
 

@@ -128,39 +128,38 @@ void run(const Arguments& given) {
 
 }  // namespace
 
-void add_graph_path(CLI::App& graph_command) {
-  auto* command = graph_command.add_subcommand(
+void add_graph_path(Command graph_command) {
+  Command command = graph_command.add_subcommand(
       "path", "A walk along a motion graph that follows a path over the ground");
   const auto given = std::make_shared<Arguments>();
   motion::PathWalkOptions& options = given->options;
-  command->add_option("graph", given->graph, "A file that `graph build` wrote")->required();
-  command->add_option(
-      "--path", given->path,
-      "Its points: a table (.csv) with columns x and z in metres, and label where a "
-      "style is wanted from there on");
-  command->add_option("--out", given->out, "The capture to write (.bvh)");
-  command->add_flag("--smooth", given->smooth, "Walk a smooth curve through the points");
-  command->add_option("--start", options.start_label, "The label to begin with");
-  command->add_option("--horizon", options.horizon_s, "How far the search looks ahead, seconds")
-      ->check(CLI::Range(0.2, 60.0))
-      ->capture_default_str();
-  command->add_option("--keep", options.kept_s, "How much of it is kept, seconds")
-      ->check(CLI::Range(0.1, 60.0))
-      ->capture_default_str();
+  command.add_option("graph", given->graph, "A file that `graph build` wrote").required();
+  command.add_option("--path", given->path,
+                     "Its points: a table (.csv) with columns x and z in metres, and label where a "
+                     "style is wanted from there on");
+  command.add_option("--out", given->out, "The capture to write (.bvh)");
+  command.add_flag("--smooth", given->smooth, "Walk a smooth curve through the points");
+  command.add_option("--start", options.start_label, "The label to begin with");
+  command.add_option("--horizon", options.horizon_s, "How far the search looks ahead, seconds")
+      .range(0.2, 60.0)
+      .capture_default_str();
+  command.add_option("--keep", options.kept_s, "How much of it is kept, seconds")
+      .range(0.1, 60.0)
+      .capture_default_str();
   command
-      ->add_option("--most-edges", options.most_edges,
-                   "Edges to look at within a horizon before the best so far is taken")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{10'000'000'000}))
-      ->capture_default_str();
-  command->add_option("--picture", given->picture,
-                      "A picture (.svg) of the path and of the way that is walked");
-  command->add_flag("--json", given->json, "One JSON document on stdout");
+      .add_option("--most-edges", options.most_edges,
+                  "Edges to look at within a horizon before the best so far is taken")
+      .range(std::int64_t{1}, std::int64_t{10'000'000'000})
+      .capture_default_str();
+  command.add_option("--picture", given->picture,
+                     "A picture (.svg) of the path and of the way that is walked");
+  command.add_flag("--json", given->json, "One JSON document on stdout");
   command
-      ->add_flag("--window", given->window,
-                 "A window to draw a path with the mouse, and to save the walk to --out")
-      ->excludes("--json")
-      ->excludes("--picture");
-  command->callback([given] { run(*given); });
+      .add_flag("--window", given->window,
+                "A window to draw a path with the mouse, and to save the walk to --out")
+      .excludes("--json")
+      .excludes("--picture");
+  command.callback([given] { run(*given); });
 }
 
 }  // namespace promenade::app

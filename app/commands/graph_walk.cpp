@@ -67,25 +67,24 @@ void walk(const Arguments& given) {
 
 }  // namespace
 
-void add_graph_walk(CLI::App& graph_command) {
-  auto* command =
+void add_graph_walk(Command graph_command) {
+  Command command =
       graph_command.add_subcommand("walk", "A walk along a motion graph, as a capture (.bvh)");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("graph", given->graph, "A file that `graph build` wrote")->required();
-  command->add_option("--out", given->out, "The capture to write (.bvh)")->required();
-  auto* seconds = command->add_option("--seconds", given->seconds, "How long it is, at least");
-  seconds->check(CLI::Range(0.1, most_walk_seconds))->capture_default_str();
+  command.add_option("graph", given->graph, "A file that `graph build` wrote").required();
+  command.add_option("--out", given->out, "The capture to write (.bvh)").required();
+  Option seconds = command.add_option("--seconds", given->seconds, "How long it is, at least");
+  seconds.range(0.1, most_walk_seconds).capture_default_str();
   command
-      ->add_option("--show", given->show,
-                   "Labels one after the other, each with its seconds: happy=4,sad=4")
-      ->delimiter(',')
-      ->excludes(seconds);
-  command->add_option("--labels", given->labels, "Labels that it may show; else all")
-      ->delimiter(',');
-  command->add_option("--seed", given->seed, "Which of the possible walks")->capture_default_str();
-  command->add_option("--picture", given->picture, "A picture (.svg) of its way over the ground");
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { walk(*given); });
+      .add_option("--show", given->show,
+                  "Labels one after the other, each with its seconds: happy=4,sad=4")
+      .delimiter(',')
+      .excludes(seconds);
+  command.add_option("--labels", given->labels, "Labels that it may show; else all").delimiter(',');
+  command.add_option("--seed", given->seed, "Which of the possible walks").capture_default_str();
+  command.add_option("--picture", given->picture, "A picture (.svg) of its way over the ground");
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { walk(*given); });
 }
 
 }  // namespace promenade::app

@@ -86,13 +86,13 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_merge_command(CLI::App& program) {
+void add_merge_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("merge", "Joins the databases of stations");
-  command->add_option("OUT", options->out, "the database to make or to add to")->required();
-  command->add_option("IN", options->inputs, "databases of the same study")->required();
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  Command command = program.add_subcommand("merge", "Joins the databases of stations");
+  command.add_option("OUT", options->out, "the database to make or to add to").required();
+  command.add_option("IN", options->inputs, "databases of the same study").required();
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -3,11 +3,11 @@
 
 namespace promenade::app {
 
-void add_missing_commands(CLI::App& program) {
+void add_missing_commands(Command program) {
   for (const char* name : {"monitor"}) {
-    CLI::App* command = program.add_subcommand(name, "(not in this version yet)");
-    command->allow_extras();
-    command->callback([name] {
+    Command command = program.add_subcommand(name, "(not in this version yet)");
+    command.allow_extras();
+    command.callback([name] {
       throw OutsideError(std::string(name) + " is not in this version of Promenade yet");
     });
   }

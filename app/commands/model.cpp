@@ -94,33 +94,33 @@ void show_blend(const std::string& name, const std::string& weights_text, bool c
               {"positions", positions}});
 }
 
-void add_blend(CLI::App& model) {
+void add_blend(Command model) {
   struct Arguments {
     std::string set, weights;
     bool json = false, csv = false;
   };
-  auto* command = model.add_subcommand("blend", "The cycle of blend weights, as joint positions");
+  Command command = model.add_subcommand("blend", "The cycle of blend weights, as joint positions");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_option("--weights", given->weights, "w1,w2,...: one for each cycle, sum 1")
-      ->required();
-  command->add_flag("--csv", given->csv, "Rows of frame, joint, x, y, z");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show_blend(given->set, given->weights, given->csv); });
+  command.add_option("set", given->set, "A file, or builtin:A, B or N").required();
+  command.add_option("--weights", given->weights, "w1,w2,...: one for each cycle, sum 1")
+      .required();
+  command.add_flag("--csv", given->csv, "Rows of frame, joint, x, y, z");
+  command.add_flag("--json", given->json, "One JSON document (as without it)").excludes("--csv");
+  command.callback([given] { show_blend(given->set, given->weights, given->csv); });
 }
 
 }  // namespace
 
-void add_model_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("model", "The models behind the interfaces");
-  command->require_subcommand(1);
-  add_blend(*command);
-  add_model_map(*command);
-  add_model_features(*command);
-  add_model_adjectives(*command);
-  add_model_raters(*command);
-  add_model_targets(*command);
-  add_model_outcomes(*command);
+void add_model_command(Command program) {
+  Command command = program.add_subcommand("model", "The models behind the interfaces");
+  command.require_subcommand();
+  add_blend(command);
+  add_model_map(command);
+  add_model_features(command);
+  add_model_adjectives(command);
+  add_model_raters(command);
+  add_model_targets(command);
+  add_model_outcomes(command);
 }
 
 }  // namespace promenade::app

@@ -60,50 +60,49 @@ void run(const Arguments& given) {
     print_note(rated.model.source + ": " + describe(rated.model.agreement));
 }
 
-void add_choices(CLI::App& command, ModelChoices& choices) {
-  command.add_option("--clusters", choices.clusters, "Primary parameters (4)")
-      ->check(CLI::Range(1, 100));
+void add_choices(Command command, ModelChoices& choices) {
+  command.add_option("--clusters", choices.clusters, "Primary parameters (4)").range(1, 100);
   command.add_option("--least-extreme", choices.least_extreme, "mu* that a pair needs (1)")
-      ->check(CLI::Range(0.0, 2.0));
+      .range(0.0, 2.0);
   command.add_option("--most-deviation", choices.most_deviation, "sigma that it may have (0.85)")
-      ->check(CLI::Range(0.0, 4.0));
+      .range(0.0, 4.0);
   command.add_flag("--flip", choices.flip, "Turn pairs that run against their cluster");
   command
       .add_option("--names", choices.names, "Of the sliders, in the order of the clusters: a,b,c")
-      ->delimiter(',');
-  command.add_option("--names-ja", choices.names_ja, "The same in Japanese")->delimiter(',');
+      .delimiter(',');
+  command.add_option("--names-ja", choices.names_ja, "The same in Japanese").delimiter(',');
 }
 
 }  // namespace
 
-void add_model_adjectives(CLI::App& model) {
-  auto* command =
+void add_model_adjectives(Command model) {
+  Command command =
       model.add_subcommand("adjectives", "From ratings of motions to primary parameters");
   const auto given = std::make_shared<Arguments>();
   command
-      ->add_option(
+      .add_option(
           "ratings", given->source.name,
           "DB, CSV with rater,motion,pair,value, MODEL.toml, or builtin:A (simulated raters)")
-      ->required();
-  command->add_option("--set", given->source.set,
-                      "The motions that were rated: a file, or builtin:A");
-  command->add_option("--predict", given->predict,
-                      "A set that nobody rated: its values, from its motion features");
-  command->add_option("--instrument", given->source.selection.instrument,
-                      "DB: only the answers of this questionnaire, whatever its items");
-  command->add_flag("--include-simulated", given->source.selection.include_simulated,
-                    "DB: simulated participants, too");
-  command->add_flag("--include-pilot", given->source.selection.include_pilot,
-                    "DB: pilot sessions, too");
-  add_choices(*command, given->choices);
-  command->add_option("--out", given->out, "Write the model, for `ratings` in [study]: MODEL.toml");
-  command->add_option("--picture", given->picture,
-                      "Draw the dendrogram: FILE.svg, FILE.pdf or FILE.png");
-  command->add_flag("--window", given->window,
-                    "A window to cut the tree, name the clusters and save them to --out");
-  command->add_flag("--csv", given->csv, "A row for each pair");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { run(*given); });
+      .required();
+  command.add_option("--set", given->source.set,
+                     "The motions that were rated: a file, or builtin:A");
+  command.add_option("--predict", given->predict,
+                     "A set that nobody rated: its values, from its motion features");
+  command.add_option("--instrument", given->source.selection.instrument,
+                     "DB: only the answers of this questionnaire, whatever its items");
+  command.add_flag("--include-simulated", given->source.selection.include_simulated,
+                   "DB: simulated participants, too");
+  command.add_flag("--include-pilot", given->source.selection.include_pilot,
+                   "DB: pilot sessions, too");
+  add_choices(command, given->choices);
+  command.add_option("--out", given->out, "Write the model, for `ratings` in [study]: MODEL.toml");
+  command.add_option("--picture", given->picture,
+                     "Draw the dendrogram: FILE.svg, FILE.pdf or FILE.png");
+  command.add_flag("--window", given->window,
+                   "A window to cut the tree, name the clusters and save them to --out");
+  command.add_flag("--csv", given->csv, "A row for each pair");
+  command.add_flag("--json", given->json, "One JSON document (as without it)").excludes("--csv");
+  command.callback([given] { run(*given); });
 }
 
 }  // namespace promenade::app

@@ -88,18 +88,18 @@ void show(const Arguments& given) {
 
 }  // namespace
 
-void add_model_features(CLI::App& model) {
-  auto* command = model.add_subcommand("features", "The 51 motion features of every cycle");
+void add_model_features(Command model) {
+  Command command = model.add_subcommand("features", "The 51 motion features of every cycle");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_option("--clusters", given->clusters, "Sliders that are made of them (4)")
-      ->check(CLI::Range(1, motion::feature_count));
-  command->add_option("--picture", given->picture,
-                      "Draw the dendrogram instead: FILE.svg, FILE.pdf or FILE.png");
-  command->add_flag("--window", given->window, "A window that shows the tree and cuts it");
-  command->add_flag("--csv", given->csv, "A row for each cycle");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show(*given); });
+  command.add_option("set", given->set, "A file, or builtin:A, B or N").required();
+  command.add_option("--clusters", given->clusters, "Sliders that are made of them (4)")
+      .range(1, motion::feature_count);
+  command.add_option("--picture", given->picture,
+                     "Draw the dendrogram instead: FILE.svg, FILE.pdf or FILE.png");
+  command.add_flag("--window", given->window, "A window that shows the tree and cuts it");
+  command.add_flag("--csv", given->csv, "A row for each cycle");
+  command.add_flag("--json", given->json, "One JSON document (as without it)").excludes("--csv");
+  command.callback([given] { show(*given); });
 }
 
 }  // namespace promenade::app

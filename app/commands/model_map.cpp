@@ -216,29 +216,28 @@ void show(const Arguments& given) {
 
 }  // namespace
 
-void add_model_map(CLI::App& model) {
-  auto* command = model.add_subcommand("map", "Where the cycles lie on the minimap, and pictures");
+void add_model_map(Command model) {
+  Command command =
+      model.add_subcommand("map", "Where the cycles lie on the minimap, and pictures");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_option("--at", given->at, "x,y: this point under each heuristic");
-  command->add_option("--picture", given->picture, "FILE.svg, .pdf or .png: the map");
-  command->add_option("--heuristics", given->heuristics,
-                      "FILE.svg, .pdf or .png: the point of --at under each heuristic");
-  command->add_option("--clusters", given->clusters, "Clusters of the dots (Ward); 3 if not given")
-      ->check(CLI::Range(1, 1000));
-  command->add_option("--components", given->components, "K; 0: ceil(0.7 (N - 1))")
-      ->check(CLI::Range(0, 10000));
+  command.add_option("set", given->set, "A file, or builtin:A, B or N").required();
+  command.add_option("--at", given->at, "x,y: this point under each heuristic");
+  command.add_option("--picture", given->picture, "FILE.svg, .pdf or .png: the map");
+  command.add_option("--heuristics", given->heuristics,
+                     "FILE.svg, .pdf or .png: the point of --at under each heuristic");
+  command.add_option("--clusters", given->clusters, "Clusters of the dots (Ward); 3 if not given")
+      .range(1, 1000);
+  command.add_option("--components", given->components, "K; 0: ceil(0.7 (N - 1))").range(0, 10000);
   command
-      ->add_option("--nearest", given->nearest,
-                   "k of the heuristic weights, 5 if not given; N: all")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--confidence", given->confidence, "Of the bounds of validity, 0 to 1")
-      ->check(CLI::Range(0.01, 0.9999));
-  command->add_option("--seed", given->seed, "Of the heuristic random");
-  command->add_flag("--mahalanobis", given->mahalanobis, "Axes in standard deviations");
-  command->add_flag("--csv", given->csv, "Rows of name, x, y, cluster");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show(*given); });
+      .add_option("--nearest", given->nearest, "k of the heuristic weights, 5 if not given; N: all")
+      .range(1, 10000);
+  command.add_option("--confidence", given->confidence, "Of the bounds of validity, 0 to 1")
+      .range(0.01, 0.9999);
+  command.add_option("--seed", given->seed, "Of the heuristic random");
+  command.add_flag("--mahalanobis", given->mahalanobis, "Axes in standard deviations");
+  command.add_flag("--csv", given->csv, "Rows of name, x, y, cluster");
+  command.add_flag("--json", given->json, "One JSON document (as without it)").excludes("--csv");
+  command.callback([given] { show(*given); });
 }
 
 }  // namespace promenade::app

@@ -1,15 +1,15 @@
 // The subcommands of `promenade model`, one file each.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "app/command_line.h"
 
 namespace promenade::app {
 
-void add_model_map(CLI::App& model);
-void add_model_features(CLI::App& model);
-void add_model_adjectives(CLI::App& model);
-void add_model_raters(CLI::App& model);
-void add_model_targets(CLI::App& model);
-void add_model_outcomes(CLI::App& model);
+void add_model_map(Command model);
+void add_model_features(Command model);
+void add_model_adjectives(Command model);
+void add_model_raters(Command model);
+void add_model_targets(Command model);
+void add_model_outcomes(Command model);
 
 }  // namespace promenade::app

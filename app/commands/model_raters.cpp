@@ -1,5 +1,4 @@
 // `promenade model raters`: what simulated raters say about a built-in set.
-#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/commands/model_parts.h"
@@ -31,16 +30,15 @@ void write(const Arguments& given) {
 
 }  // namespace
 
-void add_model_raters(CLI::App& model) {
-  auto* command = model.add_subcommand(
+void add_model_raters(Command model) {
+  Command command = model.add_subcommand(
       "raters", "Ratings of a built-in set by simulated raters, as CSV rater,motion,pair,value");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "builtin:A, or another built-in set")->required();
-  command->add_option("--seed", given->options.seed, "The same seed, the same ratings");
-  command->add_option("--raters", given->options.raters, "How many, 1 to 10000")
-      ->check(CLI::Range(1, 10000));
-  command->add_option("--out", given->out, "The file to write; stdout without it");
-  command->callback([given] { write(*given); });
+  command.add_option("set", given->set, "builtin:A, or another built-in set").required();
+  command.add_option("--seed", given->options.seed, "The same seed, the same ratings");
+  command.add_option("--raters", given->options.raters, "How many, 1 to 10000").range(1, 10000);
+  command.add_option("--out", given->out, "The file to write; stdout without it");
+  command.callback([given] { write(*given); });
 }
 
 }  // namespace promenade::app

@@ -223,33 +223,33 @@ void show(const Arguments& given) {
 
 }  // namespace
 
-void add_model_targets(CLI::App& model) {
-  auto* command = model.add_subcommand(
+void add_model_targets(Command model) {
+  Command command = model.add_subcommand(
       "targets", "What all five interfaces can do about the targets of a study");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("study", given->study, "A study file (.toml or .study)")->required();
-  auto* ratings =
-      command->add_option("--ratings", given->ratings.name,
-                          "DB or CSV behind the adjectives; built-in sets have simulated raters");
+  command.add_option("study", given->study, "A study file (.toml or .study)").required();
+  const Option ratings =
+      command.add_option("--ratings", given->ratings.name,
+                         "DB or CSV behind the adjectives; built-in sets have simulated raters");
   command
-      ->add_option("--predict", given->predict.name,
-                   "Adjectives of a set that nobody rated, from its features and from ratings of "
-                   "other motions: builtin:B, DB or CSV")
-      ->excludes(ratings);
-  command->add_option("--set", given->predict.set,
-                      "The motions that the ratings of --predict are of: a file, or builtin:A");
-  command->add_flag_callback(
+      .add_option("--predict", given->predict.name,
+                  "Adjectives of a set that nobody rated, from its features and from ratings of "
+                  "other motions: builtin:B, DB or CSV")
+      .excludes(ratings);
+  command.add_option("--set", given->predict.set,
+                     "The motions that the ratings of --predict are of: a file, or builtin:A");
+  command.add_flag_callback(
       "--include-simulated",
       [given] {
         given->ratings.selection.include_simulated = true;
         given->predict.selection.include_simulated = true;
       },
       "DB: simulated participants, too");
-  command->add_option("--save", given->save,
-                      "Writes the targets into this CSV file, for { file = ... }, and no more");
-  command->add_flag("--csv", given->csv, "A row for each target and interface");
-  command->add_flag("--json", given->json, "One JSON document (as without it)")->excludes("--csv");
-  command->callback([given] { show(*given); });
+  command.add_option("--save", given->save,
+                     "Writes the targets into this CSV file, for { file = ... }, and no more");
+  command.add_flag("--csv", given->csv, "A row for each target and interface");
+  command.add_flag("--json", given->json, "One JSON document (as without it)").excludes("--csv");
+  command.callback([given] { show(*given); });
 }
 
 }  // namespace promenade::app

@@ -213,67 +213,67 @@ void convert(const std::string& in, const std::string& out, const motion::LoadOp
   write_file(out, motion::bvh_text(clip));
 }
 
-void add_load_options(CLI::App& command, motion::LoadOptions& options) {
+void add_load_options(Command command, motion::LoadOptions& options) {
   command.add_option("--skeleton", options.skeleton,
                      "The .asf file of an .amc; looked for beside it if not given");
   command
       .add_option("--rate", options.rate,
                   "Frames a second of an .amc, which does not say it; 120 if not given")
-      ->check(CLI::Range(1.0, 10000.0));
+      .range(1.0, 10000.0);
 }
 
-void add_info(CLI::App& motion_command) {
+void add_info(Command motion_command) {
   struct Arguments {
     std::vector<std::string> files;
     motion::LoadOptions load;
     bool json = false;
   };
-  auto* command = motion_command.add_subcommand("info", "What capture files hold");
+  Command command = motion_command.add_subcommand("info", "What capture files hold");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("files", given->files, "Captures (.bvh, .amc)")->required();
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  add_load_options(*command, given->load);
-  command->callback([given] { show_info(given->files, given->load, given->json); });
+  command.add_option("files", given->files, "Captures (.bvh, .amc)").required();
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  add_load_options(command, given->load);
+  command.callback([given] { show_info(given->files, given->load, given->json); });
 }
 
-void add_positions(CLI::App& motion_command) {
+void add_positions(Command motion_command) {
   struct Arguments {
     std::string file;
     std::string frames;
     motion::LoadOptions load;
     bool json = false;
   };
-  auto* command = motion_command.add_subcommand(
+  Command command = motion_command.add_subcommand(
       "positions", "Joint positions by forward kinematics, as JSON, in units and axes of the file");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("file", given->file, "A capture (.bvh, .amc)")->required();
-  command->add_option("--frames", given->frames, "Frames, counted from 0: A,B,...")->required();
-  command->add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
-  add_load_options(*command, given->load);
-  command->callback([given] { show_positions(given->file, given->frames, given->load); });
+  command.add_option("file", given->file, "A capture (.bvh, .amc)").required();
+  command.add_option("--frames", given->frames, "Frames, counted from 0: A,B,...").required();
+  command.add_flag("--json", given->json, "One JSON document on stdout (there is no other form)");
+  add_load_options(command, given->load);
+  command.callback([given] { show_positions(given->file, given->frames, given->load); });
 }
 
-void add_convert(CLI::App& motion_command) {
+void add_convert(Command motion_command) {
   struct Arguments {
     std::string in, out;
     motion::LoadOptions load;
   };
-  auto* command = motion_command.add_subcommand("convert", "Any readable capture to plain BVH");
+  Command command = motion_command.add_subcommand("convert", "Any readable capture to plain BVH");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("in", given->in, "A capture (.bvh, .amc)")->required();
-  command->add_option("out", given->out, "The file to write (.bvh)")->required();
-  add_load_options(*command, given->load);
-  command->callback([given] { convert(given->in, given->out, given->load); });
+  command.add_option("in", given->in, "A capture (.bvh, .amc)").required();
+  command.add_option("out", given->out, "The file to write (.bvh)").required();
+  add_load_options(command, given->load);
+  command.callback([given] { convert(given->in, given->out, given->load); });
 }
 
 }  // namespace
 
-void add_motion_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("motion", "Look into captures and convert them");
-  command->require_subcommand(1);
-  add_info(*command);
-  add_positions(*command);
-  add_convert(*command);
+void add_motion_command(Command program) {
+  Command command = program.add_subcommand("motion", "Look into captures and convert them");
+  command.require_subcommand();
+  add_info(command);
+  add_positions(command);
+  add_convert(command);
 }
 
 }  // namespace promenade::app

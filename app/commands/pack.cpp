@@ -56,14 +56,14 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_pack_command(CLI::App& program) {
+void add_pack_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  Command command =
       program.add_subcommand("pack", "Freezes a study, with all that it shows, into one file");
-  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
-  command->add_option("--out", options->out, "the packed study (.study)")->required();
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  command.add_option("study", options->file, "the study file (.toml or .study)").required();
+  command.add_option("--out", options->out, "the packed study (.study)").required();
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

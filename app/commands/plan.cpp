@@ -240,15 +240,15 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_plan_command(CLI::App& program) {
+void add_plan_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("plan", "Who gets what in which order");
-  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
-  command->add_option("--participants", options->participants, "how many sessions to plan")
-      ->required()
-      ->check(CLI::Range(1, 100'000));
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  Command command = program.add_subcommand("plan", "Who gets what in which order");
+  command.add_option("study", options->file, "the study file (.toml or .study)").required();
+  command.add_option("--participants", options->participants, "how many sessions to plan")
+      .required()
+      .range(1, 100'000);
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

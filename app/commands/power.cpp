@@ -162,95 +162,95 @@ void run(Options options) {
   }
 }
 
-void add_pilot_options(CLI::App& command, Options& options) {
+void add_pilot_options(Command command, Options& options) {
   command.add_option("--from", options.pilots, "resample the people of these databases")
-      ->group("A pilot");
+      .group("A pilot");
   command
       .add_option("--effect", options.effect.effect,
                   "the smallest difference that would matter, in metres, seconds or points")
-      ->check(CLI::Range(-1e6, 1e6))
-      ->group("A pilot");
+      .range(-1e6, 1e6)
+      .group("A pilot");
   command.add_option("--a", options.effect.a, "the pair that differs; without it each in turn")
-      ->group("A pilot");
-  command.add_option("--b", options.effect.b, "its other interface")->group("A pilot");
+      .group("A pilot");
+  command.add_option("--b", options.effect.b, "its other interface").group("A pilot");
   command.add_flag("--include-pilot", options.selection.include_pilot, "pilot sessions count")
-      ->group("A pilot");
+      .group("A pilot");
   command
       .add_flag("--include-simulated", options.selection.include_simulated,
                 "simulated people count")
-      ->group("A pilot");
+      .group("A pilot");
   command
       .add_option("--exclude", options.selection.exclude_file,
                   "CSV of people to leave out, as for a report")
-      ->group("A pilot");
+      .group("A pilot");
 }
 
-void add_rehearsal_options(CLI::App& command, Options& options) {
+void add_rehearsal_options(Command command, Options& options) {
   const char* group = "A rehearsal with simulated people (without --from)";
   command.add_option("--noise", options.noise, "factor of what they misjudge (1)")
-      ->check(CLI::Range(0.0, 100.0))
-      ->group(group);
+      .range(0.0, 100.0)
+      .group(group);
   command.add_option("--learning", options.learning, "share of it that each trial takes away (0)")
-      ->check(CLI::Range(0.0, 1.0))
-      ->group(group);
+      .range(0.0, 1.0)
+      .group(group);
   command
       .add_option("--fatigue", options.fatigue,
                   "share by which actions take longer after each ten minutes (0)")
-      ->check(CLI::Range(0.0, 100.0))
-      ->group(group);
+      .range(0.0, 100.0)
+      .group(group);
   command
       .add_option("--difficulty", options.difficulty,
                   "NAME=X: factor of what they misjudge with an interface (1)")
-      ->group(group);
+      .group(group);
   command
       .add_option("--preference", options.preference,
                   "NAME=X: added to ratings of an interface, as a share of the scale (0)")
-      ->group(group);
+      .group(group);
   command
       .add_option("--aptitude", options.aptitude,
                   "how much people differ in what suits them: s.d. of the logarithm of the factor "
                   "(0)")
-      ->check(CLI::Range(0.0, 10.0))
-      ->group(group);
+      .range(0.0, 10.0)
+      .group(group);
   command
       .add_option("--taste", options.taste,
                   "standard deviation between people of their own preferences (0)")
-      ->check(CLI::Range(0.0, 10.0))
-      ->group(group);
+      .range(0.0, 10.0)
+      .group(group);
 }
 
 }  // namespace
 
-void add_power_command(CLI::App& program) {
+void add_power_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand(
+  Command command = program.add_subcommand(
       "power", "How many people a study needs: from a pilot, or a rehearsal with simulated people");
-  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
+  command.add_option("study", options->file, "the study file (.toml or .study)").required();
   command
-      ->add_option("--participants", options->question.participants,
-                   "numbers of participants: 6,10,13,20")
-      ->required()
-      ->delimiter(',')
-      ->check(CLI::Range(1, 1000));
+      .add_option("--participants", options->question.participants,
+                  "numbers of participants: 6,10,13,20")
+      .required()
+      .delimiter(',')
+      .range(1, 1000);
   command
-      ->add_option("--studies", options->studies,
-                   "drawn of each size (10000 from a pilot, 200 rehearsed)")
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options->question.seed, "of everything random (1)")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
-  command->add_option("--alpha", options->question.alpha, "level of the test (0.05)")
-      ->check(CLI::Range(1e-6, 0.5));
-  command->add_option("--task", options->effect.task, "one task; a rehearsal shows all without it");
-  command->add_option("--measure", options->effect.measure,
-                      "one measure; a rehearsal shows d_final and time_s without it");
+      .add_option("--studies", options->studies,
+                  "drawn of each size (10000 from a pilot, 200 rehearsed)")
+      .range(1, 1'000'000);
+  command.add_option("--seed", options->question.seed, "of everything random (1)")
+      .range(std::int64_t{0}, std::int64_t{INT64_MAX});
+  command.add_option("--alpha", options->question.alpha, "level of the test (0.05)")
+      .range(1e-6, 0.5);
+  command.add_option("--task", options->effect.task, "one task; a rehearsal shows all without it");
+  command.add_option("--measure", options->effect.measure,
+                     "one measure; a rehearsal shows d_final and time_s without it");
   command
-      ->add_option("--jobs", options->question.threads,
-                   "threads; the result does not depend on them")
-      ->check(CLI::Range(1, 256));
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  add_pilot_options(*command, *options);
-  add_rehearsal_options(*command, *options);
-  command->callback([options] { run(*options); });
+      .add_option("--jobs", options->question.threads,
+                  "threads; the result does not depend on them")
+      .range(1, 256);
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  add_pilot_options(command, *options);
+  add_rehearsal_options(command, *options);
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -67,17 +67,17 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_prereg_command(CLI::App& program) {
+void add_prereg_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  Command command =
       program.add_subcommand("prereg", "A document to register before the first session");
-  command->add_option("STUDY", options->study, "the study file (.toml or .study)")->required();
+  command.add_option("STUDY", options->study, "the study file (.toml or .study)").required();
   command
-      ->add_option("PLAN", options->plan,
-                   "the plan of its analysis (.toml); docs/analysts.md shows one")
-      ->required();
-  command->add_option("--out", options->out, "the document to write (.md or .html)")->required();
-  command->callback([options] { run(*options); });
+      .add_option("PLAN", options->plan,
+                  "the plan of its analysis (.toml); docs/analysts.md shows one")
+      .required();
+  command.add_option("--out", options->out, "the document to write (.md or .html)").required();
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -240,33 +240,32 @@ void run(const Options& options) {
 }
 
 // What it can be asked for, one at a time.
-void add_kinds(CLI::App& command, Options& options) {
-  CLI::Option* list = command.add_flag("--list", options.list, "the trials of the database");
-  CLI::Option* audit = command.add_flag("--audit", options.audit,
-                                        "recompute every stored weight and D from the events");
-  CLI::Option* frames =
+void add_kinds(Command command, Options& options) {
+  Option list = command.add_flag("--list", options.list, "the trials of the database");
+  Option audit = command.add_flag("--audit", options.audit,
+                                  "recompute every stored weight and D from the events");
+  Option frames =
       command.add_option("--frames", options.folder, "writes the trial as pictures to this folder");
-  list->excludes(audit)->excludes(frames);
-  audit->excludes(frames);
+  list.excludes(audit).excludes(frames);
+  audit.excludes(frames);
   command.add_option("--fps", options.fps, "pictures for a second (30)")
-      ->check(CLI::Range(0.1, 1000.0))
-      ->needs(frames);
-  command.add_option("--size", options.size, "of the pictures, pixels (1280x720)")->needs(frames);
+      .range(0.1, 1000.0)
+      .needs(frames);
+  command.add_option("--size", options.size, "of the pictures, pixels (1280x720)").needs(frames);
 }
 
 }  // namespace
 
-void add_replay_command(CLI::App& program) {
+void add_replay_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("replay", "Plays a logged trial again");
-  command->add_option("db", options->database, "the database of a study")->required();
-  command->add_option("--trial", options->trial, "the uuid of a trial; else the last that ended");
-  add_kinds(*command, *options);
-  command->add_option("--speed", options->speed, "1 as in life, 2 twice as fast")
-      ->check(CLI::Range(0.05, 50.0));
-  command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  Command command = program.add_subcommand("replay", "Plays a logged trial again");
+  command.add_option("db", options->database, "the database of a study").required();
+  command.add_option("--trial", options->trial, "the uuid of a trial; else the last that ended");
+  add_kinds(command, *options);
+  command.add_option("--speed", options->speed, "1 as in life, 2 twice as fast").range(0.05, 50.0);
+  command.add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -132,27 +132,27 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_roster_command(CLI::App& program) {
+void add_roster_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
+  Command command =
       program.add_subcommand("roster", "Codes and orders for the people of several stations");
-  command->add_option("study", options->study, "the study file (.toml)")->required();
-  command->add_option("--out", options->file, "the roster (.csv) to make, or to change")
-      ->required();
-  CLI::Option* participants =
-      command->add_option("--participants", options->participants, "places that are dealt")
-          ->check(CLI::Range(1, 100'000));
-  command->add_option("--stations", options->stations, "where people come to")
-      ->check(CLI::Range(1, 100))
-      ->needs(participants);
-  participants->needs(command->get_option("--stations"));
-  command->add_option("--no-show", options->no_show, "the code of somebody who did not come");
-  command->add_option("--replace", options->replace,
-                      "the code of somebody whose place another person takes");
-  command->add_option("--done-in", options->databases,
-                      "databases whose finished people are marked as done");
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options] { run(*options); });
+  command.add_option("study", options->study, "the study file (.toml)").required();
+  command.add_option("--out", options->file, "the roster (.csv) to make, or to change").required();
+  Option participants =
+      command.add_option("--participants", options->participants, "places that are dealt")
+          .range(1, 100'000);
+  const Option stations =
+      command.add_option("--stations", options->stations, "where people come to")
+          .range(1, 100)
+          .needs(participants);
+  participants.needs(stations);
+  command.add_option("--no-show", options->no_show, "the code of somebody who did not come");
+  command.add_option("--replace", options->replace,
+                     "the code of somebody whose place another person takes");
+  command.add_option("--done-in", options->databases,
+                     "databases whose finished people are marked as done");
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

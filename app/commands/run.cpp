@@ -118,27 +118,26 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_run_command(CLI::App& program) {
+void add_run_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = program.add_subcommand("run", "A participant's session in a window");
-  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
-  command->add_option("--db", options->database, "the database (default: results/STUDY.db)");
-  const CLI::Option* code =
-      command->add_option("--participant", options->participant,
-                          "the participant's code; without it the first page asks");
-  command->add_flag("--pilot", options->pilot, "a trial run that does not count");
-  command->add_option("--station", options->station, "the name of this place");
-  command->add_option("--roster", options->roster,
-                      "the roster (.csv) that has the participant's code and order");
-  command->add_option("--language", options->language, "en or ja; without it the first page asks");
-  command->add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
+  Command command = program.add_subcommand("run", "A participant's session in a window");
+  command.add_option("study", options->file, "the study file (.toml or .study)").required();
+  command.add_option("--db", options->database, "the database (default: results/STUDY.db)");
+  const Option code = command.add_option("--participant", options->participant,
+                                         "the participant's code; without it the first page asks");
+  command.add_flag("--pilot", options->pilot, "a trial run that does not count");
+  command.add_option("--station", options->station, "the name of this place");
+  command.add_option("--roster", options->roster,
+                     "the roster (.csv) that has the participant's code and order");
+  command.add_option("--language", options->language, "en or ja; without it the first page asks");
+  command.add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
   command
-      ->add_option("--autopilot", options->autopilot,
-                   "a simulated participant with this seed takes the mouse")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
-  command->add_option("--trace", options->trace, "what is stored, line by line")->group("");
-  command->callback([options, code] {
-    options->has_participant = code->count() > 0;
+      .add_option("--autopilot", options->autopilot,
+                  "a simulated participant with this seed takes the mouse")
+      .range(std::int64_t{0}, std::int64_t{INT64_MAX});
+  command.add_option("--trace", options->trace, "what is stored, line by line").group("");
+  command.callback([options, code] {
+    options->has_participant = code.given();
     run(*options);
   });
 }

@@ -101,53 +101,53 @@ void export_set(const std::string& name, const std::string& folder, int times) {
                times > 1 ? fmt::format(", each {} times in a row", times).c_str() : "");
 }
 
-void add_build(CLI::App& set_command) {
-  auto* command = set_command.add_subcommand("build", "Cut the cycles of a recipe's captures");
+void add_build(Command set_command) {
+  Command command = set_command.add_subcommand("build", "Cut the cycles of a recipe's captures");
   const auto given = std::make_shared<BuildArguments>();
-  command->add_option("recipe", given->recipe, "A recipe (.toml)")->required();
-  command->add_option("--out", given->out, "The motion set to write")->required();
-  command->add_option("--folder", given->folder, "Where the captures lie, if not where it says");
-  command->add_option("--pictures", given->pictures,
-                      "A folder for one picture (SVG) of every cycle: where it was found, how it "
-                      "closes");
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { build(*given); });
+  command.add_option("recipe", given->recipe, "A recipe (.toml)").required();
+  command.add_option("--out", given->out, "The motion set to write").required();
+  command.add_option("--folder", given->folder, "Where the captures lie, if not where it says");
+  command.add_option("--pictures", given->pictures,
+                     "A folder for one picture (SVG) of every cycle: where it was found, how it "
+                     "closes");
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { build(*given); });
 }
 
-void add_info(CLI::App& set_command) {
+void add_info(Command set_command) {
   struct Arguments {
     std::string set;
     bool json = false;
   };
-  auto* command = set_command.add_subcommand("info", "What a motion set holds");
+  Command command = set_command.add_subcommand("info", "What a motion set holds");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_flag("--json", given->json, "One JSON document on stdout");
-  command->callback([given] { show_info(given->set, given->json); });
+  command.add_option("set", given->set, "A file, or builtin:A, B or N").required();
+  command.add_flag("--json", given->json, "One JSON document on stdout");
+  command.callback([given] { show_info(given->set, given->json); });
 }
 
-void add_export(CLI::App& set_command) {
+void add_export(Command set_command) {
   struct Arguments {
     std::string set, out;
     int times = 1;
   };
-  auto* command = set_command.add_subcommand("export", "One BVH file for every cycle");
+  Command command = set_command.add_subcommand("export", "One BVH file for every cycle");
   const auto given = std::make_shared<Arguments>();
-  command->add_option("set", given->set, "A file, or builtin:A, B or N")->required();
-  command->add_option("--out", given->out, "The folder to write to")->required();
-  command->add_option("--times", given->times, "Each cycle so many times in a row, 1 to 100")
-      ->check(CLI::Range(1, 100));
-  command->callback([given] { export_set(given->set, given->out, given->times); });
+  command.add_option("set", given->set, "A file, or builtin:A, B or N").required();
+  command.add_option("--out", given->out, "The folder to write to").required();
+  command.add_option("--times", given->times, "Each cycle so many times in a row, 1 to 100")
+      .range(1, 100);
+  command.callback([given] { export_set(given->set, given->out, given->times); });
 }
 
 }  // namespace
 
-void add_set_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("set", "Build, look into and export motion sets");
-  command->require_subcommand(1);
-  add_build(*command);
-  add_info(*command);
-  add_export(*command);
+void add_set_command(Command program) {
+  Command command = program.add_subcommand("set", "Build, look into and export motion sets");
+  command.require_subcommand();
+  add_build(command);
+  add_info(command);
+  add_export(command);
 }
 
 }  // namespace promenade::app

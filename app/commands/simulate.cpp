@@ -84,33 +84,32 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_simulate_command(CLI::App& program) {
+void add_simulate_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("simulate", "Simulated participants, without a window");
-  command->add_option("study", options->file, "the study file (.toml or .study)")->required();
-  command->add_option("--participants", options->participants, "how many")
-      ->required()
-      ->check(CLI::Range(1, 1'000'000));
-  command->add_option("--seed", options->seed, "of everything random in them")
-      ->required()
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{INT64_MAX}));
-  command->add_option("--db", options->database, "the database to make or to add to")->required();
-  command->add_option("--jobs", options->jobs, "threads; the content does not depend on them")
-      ->check(CLI::Range(1, 256));
+  Command command = program.add_subcommand("simulate", "Simulated participants, without a window");
+  command.add_option("study", options->file, "the study file (.toml or .study)").required();
+  command.add_option("--participants", options->participants, "how many")
+      .required()
+      .range(1, 1'000'000);
+  command.add_option("--seed", options->seed, "of everything random in them")
+      .required()
+      .range(std::int64_t{0}, std::int64_t{INT64_MAX});
+  command.add_option("--db", options->database, "the database to make or to add to").required();
+  command.add_option("--jobs", options->jobs, "threads; the content does not depend on them")
+      .range(1, 256);
   command
-      ->add_option("--straight-lining", options->straight_lining,
-                   "the share of them who answer alike and fast what they rate (0)")
-      ->check(CLI::Range(0.0, 1.0));
+      .add_option("--straight-lining", options->straight_lining,
+                  "the share of them who answer alike and fast what they rate (0)")
+      .range(0.0, 1.0);
   command
-      ->add_option("--leaving", options->leaving,
-                   "the share of pages on which they go on another day, where they can (0)")
-      ->check(CLI::Range(0.0, 1.0));
-  command->add_flag("--copy", options->copy,
-                    "make the second copy that the study asks for ([safety] copy_to), too");
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->add_option("--trace", options->trace, "what is stored, line by line")->group("");
-  command->callback([options] { run(*options); });
+      .add_option("--leaving", options->leaving,
+                  "the share of pages on which they go on another day, where they can (0)")
+      .range(0.0, 1.0);
+  command.add_flag("--copy", options->copy,
+                   "make the second copy that the study asks for ([safety] copy_to), too");
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.add_option("--trace", options->trace, "what is stored, line by line").group("");
+  command.callback([options] { run(*options); });
 }
 
 }  // namespace promenade::app

@@ -72,21 +72,20 @@ void run(const Options& options) {
 
 }  // namespace
 
-void add_withdraw_command(CLI::App& program) {
+void add_withdraw_command(Command program) {
   auto options = std::make_shared<Options>();
-  CLI::App* command =
-      program.add_subcommand("withdraw", "Removes a person as the consent text says");
-  command->add_option("DB", options->database, "the database")->required();
-  CLI::Option* code = command->add_option(
+  Command command = program.add_subcommand("withdraw", "Removes a person as the consent text says");
+  command.add_option("DB", options->database, "the database").required();
+  Option code = command.add_option(
       "CODE", options->code, "of the person; without it, what earlier withdrawals had to leave");
   command
-      ->add_option("--forget", options->forget,
-                   "a backup that is gone for good: nothing waits to be done in it any more")
-      ->excludes(code);
-  command->add_flag("--json", options->json, "one JSON document on stdout");
-  command->callback([options, code] {
+      .add_option("--forget", options->forget,
+                  "a backup that is gone for good: nothing waits to be done in it any more")
+      .excludes(code);
+  command.add_flag("--json", options->json, "one JSON document on stdout");
+  command.callback([options, code] {
     // An empty code would mean something else than was typed.
-    if (code->count() > 0 && options->code.empty()) throw InputError("CODE", "is empty");
+    if (code.given() && options->code.empty()) throw InputError("CODE", "is empty");
     run(*options);
   });
 }

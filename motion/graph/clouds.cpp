@@ -37,14 +37,18 @@ Eigen::VectorXd body_weights() {
 }
 
 Clouds joint_clouds(const Clip& clip, bool z_up) {
+  return joint_clouds(clip, z_up, 0, clip.frames());
+}
+
+Clouds joint_clouds(const Clip& clip, bool z_up, int first, int frames) {
   const int joints = clip.skeleton.size();
   const Eigen::Matrix3d turn = to_y_up(z_up);
   Clouds clouds;
   clouds.weights = Eigen::VectorXd::Ones(joints);
-  clouds.points.resize(3, static_cast<Eigen::Index>(joints) * clip.frames());
-  for (int f = 0; f < clip.frames(); ++f) {
+  clouds.points.resize(3, static_cast<Eigen::Index>(joints) * frames);
+  for (int f = 0; f < frames; ++f) {
     clouds.points.middleCols(static_cast<Eigen::Index>(f) * joints, joints) =
-        turn * forward_kinematics(clip, f).positions;
+        turn * forward_kinematics(clip, first + f).positions;
   }
   return clouds;
 }

@@ -17,8 +17,10 @@ struct Clouds {
   }
 };
 
-// Every joint of the clip, in file units, with Y up ((x, z, -y) where Z is up); weights 1.
+// Every joint of the clip, in file units, with Y up ((x, z, -y) where Z is up); weights 1. The
+// second: of so many frames from `first` on.
 Clouds joint_clouds(const Clip& clip, bool z_up);
+Clouds joint_clouds(const Clip& clip, bool z_up, int first, int frames);
 
 // 20, of the body's joints, sum 1: those of the next function for a skeleton that is the body.
 Eigen::VectorXd body_weights();

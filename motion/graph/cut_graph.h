@@ -1,4 +1,5 @@
-// Takes cut at the places where transitions leave and enter them. Used by motion_graph only.
+// Takes cut at the places where transitions leave and enter them, and what can be done with the
+// pieces.
 #pragma once
 
 #include "motion/graph/digraph.h"

@@ -6,6 +6,8 @@
 namespace promenade::motion {
 namespace {
 
+constexpr double toe_slack_m_s = 0.05;  // toes of feet that stand are slower
+
 // T: how far each frame is inside of a stance.
 std::vector<double> inside(const Take& take, const std::vector<Stance>& stances,
                            double Stance::*begin) {
@@ -31,6 +33,7 @@ Ground ground_of(const Take& take, const WorldPose& world, std::size_t foot, con
 // Supports and steps.
 void find_steps(const Take& take, std::array<FootedLeg, 2>& legs) {
   for (FootedLeg& leg : legs) leg.steps.resize(2, std::max(take.frames() - 1, 0));
+  const double slack = toe_slack_m_s * take.frame_time;
   std::array<Ground, 2> before;
   WorldPose world;
   for (int f = 0; f < take.frames(); ++f) {
@@ -38,7 +41,7 @@ void find_steps(const Take& take, std::array<FootedLeg, 2>& legs) {
     for (std::size_t foot = 0; foot < 2; ++foot) {
       const Ground now = ground_of(take, world, foot, legs[foot].heel);
       if (f > 0) {
-        legs[foot].support.push_back(support_of(now - before[foot]));
+        legs[foot].support.push_back(support_of(now - before[foot], slack));
         legs[foot].steps.col(f - 1) =
             (now - before[foot]).col(static_cast<Eigen::Index>(legs[foot].support.back()));
       }
@@ -62,10 +65,11 @@ Ground ground_under(const Heel& heel, const Eigen::Vector3d& ankle, const Eigen:
   return ground;
 }
 
-Support support_of(const Ground& step) {
+Support support_of(const Ground& step, double slack) {
   Eigen::Index least = 0;
-  step.colwise().squaredNorm().minCoeff(&least);
-  return static_cast<Support>(least);
+  const Eigen::RowVector3d ways = step.colwise().norm();
+  ways.minCoeff(&least);
+  return ways(2) <= ways(least) + slack ? Support::toe : static_cast<Support>(least);
 }
 
 FootedTake make_footed(const Take& take) { return make_footed(take, find_contacts(take)); }

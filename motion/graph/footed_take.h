@@ -7,9 +7,6 @@
 
 namespace promenade::motion {
 
-// Feet in arrays: left, right.
-inline constexpr std::array foot_sides = {Side::left, Side::right};
-
 // What a foot stands by.
 enum class Support : unsigned char { heel, ankle, toe };
 
@@ -17,8 +14,9 @@ enum class Support : unsigned char { heel, ankle, toe };
 using Ground = Eigen::Matrix<double, 2, 3>;
 Ground ground_under(const Heel& heel, const Eigen::Vector3d& ankle, const Eigen::Vector3d& toe);
 
-// Of a step from frame to frame: what moved least.
-Support support_of(const Ground& step);
+// Of a step from frame to frame: what moved least; but the toe if it moved no more than `slack`
+// beyond that, metres, since a foot that is flat goes on to stand by its toe.
+Support support_of(const Ground& step, double slack);
 
 // The most that a frame is inside of a stance, or outside.
 inline constexpr double most_inside_seconds = 0.1;
@@ -30,7 +28,7 @@ struct FootedLeg {
   // A stance cut by an end of the take has no end there.
   std::vector<double> standing;
   std::vector<double> still;     // the same without the time in which it lands
-  std::vector<Support> support;  // T - 1: what moves least from a frame to the next
+  std::vector<Support> support;  // T - 1: from a frame to the next
   Eigen::Matrix2Xd steps;        // 2 x (T - 1): how that moves, metres (x, z)
 };
 
@@ -40,7 +38,7 @@ struct FootedTake {
   std::vector<FrameGap> gaps;     // T
 };
 
-FootedTake make_footed(const Take& take);
+FootedTake make_footed(const Take& take);  // finds the contacts
 FootedTake make_footed(const Take& take, const FootContacts& contacts);
 
 }  // namespace promenade::motion

@@ -30,6 +30,18 @@ void write(ByteWriter& out, const std::vector<Pose>& poses) {
   }
 }
 
+// Transitions are most of a graph, and are kept in single precision (motion_graph.h).
+void write_single(ByteWriter& out, const std::vector<Pose>& poses) {
+  const auto single = [&out](const double* values, int count) {
+    for (int k = 0; k < count; ++k) out.f32(static_cast<float>(values[k]));
+  };
+  out.count(poses.size());
+  for (const Pose& pose : poses) {
+    single(pose.root.data(), 3);
+    for (const Eigen::Quaterniond& q : pose.rotations) single(q.coeffs().data(), 4);
+  }
+}
+
 void write(ByteWriter& out, const GraphTake& one) {
   out.text(one.label);
   out.text(one.sha256);
@@ -47,7 +59,7 @@ void write(ByteWriter& out, const GraphTransition& transition) {
     out.f64(value);
   }
   visit_numbers(transition.quality, [&out](double value) { out.f64(value); });
-  write(out, transition.poses);
+  write_single(out, transition.poses);
 }
 
 void write(ByteWriter& out, const MatchOptions& options) {
@@ -81,12 +93,23 @@ MatchOptions read_options(ByteReader& in) {
   return options;
 }
 
-std::vector<Pose> read_poses(ByteReader& in, std::size_t joints) {
-  std::vector<Pose> poses(in.count(24 + 32 * joints));
+enum class Precision { single_, double_ };
+
+void read_numbers(ByteReader& in, Precision precision, double* values, std::size_t count) {
+  if (precision == Precision::double_) return read_finite(in, values, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    values[k] = in.f32();
+    if (!std::isfinite(values[k])) in.fail("holds a number that is not finite");
+  }
+}
+
+std::vector<Pose> read_poses(ByteReader& in, std::size_t joints, Precision precision) {
+  const std::size_t bytes = precision == Precision::single_ ? 4 : 8;
+  std::vector<Pose> poses(in.count(bytes * (3 + 4 * joints)));
   Eigen::Matrix4Xd rotations(4, joints);
   for (Pose& pose : poses) {
-    read_finite(in, pose.root.data(), 3);
-    read_finite(in, rotations.data(), 4 * joints);
+    read_numbers(in, precision, pose.root.data(), 3);
+    read_numbers(in, precision, rotations.data(), 4 * joints);
     check_rotations(in, rotations);
     pose.rotations.reserve(joints);
     for (const auto& column : rotations.colwise()) pose.rotations.emplace_back(column);
@@ -103,7 +126,7 @@ GraphTake read_take(ByteReader& in, const Take& model) {
   one.take.body = model.body;
   one.take.frame_time = model.frame_time;
   one.take.first_frame = read_frame_number(in);
-  one.take.poses = read_poses(in, model.skeleton.joints.size());
+  one.take.poses = read_poses(in, model.skeleton.joints.size(), Precision::double_);
   if (one.take.poses.empty()) in.fail("has a take without frames");
   return one;
 }
@@ -118,7 +141,7 @@ GraphTransition read_transition(ByteReader& in, std::size_t joints) {
     *value = read_finite(in);
   }
   visit_numbers(transition.quality, [&in](double& value) { value = read_finite(in); });
-  transition.poses = read_poses(in, joints);
+  transition.poses = read_poses(in, joints, Precision::single_);
   return transition;
 }
 

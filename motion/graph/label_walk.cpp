@@ -16,8 +16,9 @@ namespace {
 constexpr double price_of_frame = 1000;
 // What one beyond the wanted seconds does: less, or a walk would leave a label too early.
 constexpr double price_beyond = 500;
-// Of equal walks, edges by lot; a transition that is a millimetre less alike counts as much.
-constexpr double most_luck = 0.01;  // metres
+// Luck that decides between walks which are nearly as good: where they begin, and what else a
+// transition costs beside its rms, up to so many metres.
+constexpr double most_luck = 0.01;
 // So long a walk is looked at as a whole; of a longer one its first half is kept.
 constexpr double horizon_s = 20;
 
@@ -41,10 +42,15 @@ class LabelPlan {
       : graph_(graph), wanted_(wanted), frames_(wanted_frames(graph, wanted)) {
     Rng rng(seed, 0, "walk through labels");
     for (const GraphEdge& edge : graph.edges) {
-      const double rms = edge.transition < 0
-                             ? 0
-                             : graph.transitions[static_cast<std::size_t>(edge.transition)].rms_m;
+      if (edge.transition < 0) {
+        price_.push_back(0);
+        continue;
+      }
+      const double rms = graph.transitions[static_cast<std::size_t>(edge.transition)].rms_m;
       price_.push_back(rms + most_luck * rng.uniform());
+    }
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+      price_of_start_.push_back(most_luck * rng.uniform());
     }
     count_matches();
   }
@@ -121,7 +127,8 @@ class LabelPlan {
     std::vector<double> reached(rows * nodes, never);
     std::vector<int> by(rows * nodes, -1);
     for (std::size_t n = 0; n < nodes; ++n) {
-      if (node < 0 || static_cast<int>(n) == node) reached[n] = 0;
+      if (node < 0) reached[n] = price_of_start_[n];
+      if (static_cast<int>(n) == node) reached[n] = 0;
     }
     double best = std::numeric_limits<double>::infinity();
     int last = -1;
@@ -163,8 +170,9 @@ class LabelPlan {
 
   const MotionGraph& graph_;
   const std::vector<WantedLabel>& wanted_;
-  std::vector<int> frames_;    // the entry of wanted_ for each frame
-  std::vector<double> price_;  // of each edge, beside its frames
+  std::vector<int> frames_;             // the entry of wanted_ for each frame
+  std::vector<double> price_;           // of each edge, beside its frames
+  std::vector<double> price_of_start_;  // of each node
   std::map<std::string, std::vector<int>> matches_;
   std::vector<const std::vector<int>*> sums_of_edge_;  // null: nobody wants its label
 };

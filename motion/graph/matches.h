@@ -27,7 +27,7 @@ struct LabelThreshold {
 };
 
 struct MatchOptions {
-  double threshold_m = 0.06;            // RMS
+  double threshold_m = 0.05;            // RMS
   std::optional<double> quantile = {};  // instead: this share of all local minima, the best, 0 to 1
   std::vector<LabelThreshold> labels = {};
   double window_s = 1.0 / 3;

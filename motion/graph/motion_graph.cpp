@@ -44,6 +44,13 @@ std::vector<Passage> offered(const Matches& matches) {
   return passages;
 }
 
+void round_to_single(std::vector<Pose>& poses) {
+  for (Pose& pose : poses) {
+    pose.root = pose.root.cast<float>().cast<double>();
+    for (Eigen::Quaterniond& q : pose.rotations) q = q.cast<float>().cast<double>();
+  }
+}
+
 // Makes the transitions that are only placed so far; of each it says why it cannot be used, or
 // nothing.
 std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
@@ -61,6 +68,7 @@ std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
                                       placed.frames, placed.move);
     placed.move = made.move;
     placed.poses = std::move(made.poses);
+    round_to_single(placed.poses);
     placed.quality = made.quality;
     refusals[p] = std::move(made.refusal);
   };
@@ -80,7 +88,7 @@ void drop_refused(const std::vector<std::string>& refusals, std::vector<Passage>
     } else {
       built.refusals.push_back({passages[p].from_take, passages[p].to_take,
                                 passages[p].transition.frames, passages[p].transition.rms_m,
-                                refusals[p]});
+                                passages[p].transition.quality, refusals[p]});
     }
   }
   passages = std::move(kept);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "motion/graph/path_objective.h"
+#include "motion/graph/walk_beam.h"
 #include "motion/problem.h"
 
 namespace promenade::motion {
@@ -30,58 +31,6 @@ std::string first_label(const PathWalkOptions& options) {
   return {};
 }
 
-struct Begun {
-  WalkState state;
-  FoundWalk walk;  // of the first horizon
-};
-
-// Searches the first horizon of every start: first the one walk that looks best at each node, then,
-// where that was cheapest, a little around it. `goes_on` is asked now and then.
-class StartSearch {
- public:
-  StartSearch(const WalkSearch& search, WalkSearchOptions options,
-              const std::function<bool()>& goes_on)
-      : search_(search), options_(options), goes_on_(goes_on) {}
-
-  Begun best(const std::vector<WalkState>& states) {
-    for (const WalkState& state : states) {
-      if (begun_.empty() || goes_on_()) dive(state);
-    }
-    std::stable_sort(begun_.begin(), begun_.end(), [](const Begun& a, const Begun& b) {
-      return a.walk.end.cost < b.walk.end.cost;
-    });
-    Begun best = begun_.front();
-    options_.most_edges = std::max<std::int64_t>(1, options_.most_edges / 64);
-    for (std::size_t i = 0; i < std::min<std::size_t>(64, begun_.size()) && goes_on_(); ++i) {
-      look_around(begun_[i], best);
-    }
-    best.walk.visited = visited_;
-    return best;
-  }
-
- private:
-  void dive(const WalkState& state) {
-    WalkSearchOptions one = options_;
-    one.most_edges = 1;
-    FoundWalk walk = search_.within_horizon({state}, one);
-    visited_ += walk.visited;
-    if (!walk.edges.empty()) begun_.push_back({state, std::move(walk)});
-  }
-
-  void look_around(const Begun& from, Begun& best) {
-    FoundWalk walk = search_.within_horizon({from.state, {}, best.walk.end.cost}, options_,
-                                            [this](const FoundWalk&) { return goes_on_(); });
-    visited_ += walk.visited;
-    if (!walk.edges.empty()) best = {from.state, std::move(walk)};
-  }
-
-  const WalkSearch& search_;
-  WalkSearchOptions options_;
-  const std::function<bool()>& goes_on_;
-  std::vector<Begun> begun_;
-  std::int64_t visited_ = 0;
-};
-
 // What a walk came to, frame by frame.
 void measure(const MotionGraph& graph, const PathObjective& objective, WalkState state,
              PathWalk& walk) {
@@ -100,6 +49,41 @@ void measure(const MotionGraph& graph, const PathObjective& objective, WalkState
   walk.walked_m = state.travelled_m;
   walk.cost_m2 = sum;
   walk.rms_m = walk.frames > 0 ? std::sqrt(sum / walk.frames) : 0;
+}
+
+PathWalk measured(const MotionGraph& graph, const PathObjective& objective, const BeamWalk& from) {
+  PathWalk walk;
+  walk.walk = {from.found.edges, from.start.place};
+  walk.complete = from.found.complete;
+  walk.stopped = from.found.stopped;
+  walk.visited = from.found.visited;
+  measure(graph, objective, from.start, walk);
+  return walk;
+}
+
+// Where captures turn often, many walks near the best find the best. Where they turn seldom,
+// those that turn look bad for long: then the best at each node must all go on.
+BeamWalk look_broadly(const MotionGraph& graph, const PathObjective& objective,
+                      const std::vector<WalkState>& starts, const WalkProgress& progress) {
+  const int outlook = static_cast<int>(std::lround(0.1 / graph.frame_time));
+  const BeamOptions near{0.1, 1000, 6, outlook}, everywhere{0.1, 5000, 1, outlook};
+  BeamWalk best = best_of_many(graph, objective, starts, near, progress);
+  if (best.found.stopped) return best;
+  BeamWalk other = best_of_many(graph, objective, starts, everywhere, progress);
+  const std::int64_t visited = best.found.visited + other.found.visited;
+  const bool better = !other.found.stopped && !other.found.edges.empty() &&
+                      other.found.end.cost < best.found.end.cost;
+  if (better || best.found.edges.empty()) best = std::move(other);
+  best.found.visited = visited;
+  return best;
+}
+
+WalkProgress telling(const GroundPath& path, const PathProgress& progress,
+                     const PlanarMove& start) {
+  if (!progress) return {};
+  return [&path, &progress, start](const FoundWalk& found) {
+    return progress({found.edges, start}, std::min(1.0, found.end.travelled_m / path.length()));
+  };
 }
 
 void require_labels(const MotionGraph& graph, const PathWalkOptions& options) {
@@ -124,20 +108,20 @@ PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
   const PathObjective objective(graph, ways, path, options);
   const WalkSearch search(graph, objective);
   const WalkSearchOptions how = search_options(graph, options);
-  const std::function<bool()> goes_on = [&] { return !progress || progress({}, 0); };
-  const Begun begun = StartSearch(search, how, goes_on).best(starts_of(graph, objective, options));
-  const auto heard = [&](const FoundWalk& found) {
-    return progress({found.edges, begun.state.place},
-                    std::min(1.0, found.end.travelled_m / path.length()));
+  const BeamWalk broad = look_broadly(graph, objective, starts_of(graph, objective, options),
+                                      telling(path, progress, {}));
+  if (broad.found.stopped || broad.found.edges.empty()) return measured(graph, objective, broad);
+  // Whatever costs more already need not be searched to its end.
+  const WalkProgress told = telling(path, progress, broad.start.place);
+  const auto still_better = [&](const FoundWalk& found) {
+    return found.end.cost <= broad.found.end.cost && (!told || told(found));
   };
-  const FoundWalk found = search.whole_walk({begun.state, begun.walk.edges}, how,
-                                            progress ? WalkProgress(heard) : WalkProgress());
-  PathWalk walk;
-  walk.walk = {found.edges, begun.state.place};
-  walk.complete = found.complete;
-  walk.stopped = found.stopped;
-  walk.visited = found.visited + begun.walk.visited;
-  measure(graph, objective, begun.state, walk);
+  const BeamWalk deep{broad.start,
+                      search.whole_walk({broad.start, broad.found.edges}, how, still_better)};
+  const bool better = deep.found.end.done && deep.found.end.cost <= broad.found.end.cost;
+  PathWalk walk = measured(graph, objective, better ? deep : broad);
+  walk.complete = deep.found.complete && better;
+  walk.visited = deep.found.visited + broad.found.visited;
   return walk;
 }
 

@@ -2,6 +2,11 @@
 // differs least from the path. Frame by frame, the place of the pelvis is compared with the point
 // of the path that is as many metres from its beginning as somebody has walked by then
 // (edge_ways.h), squared, and summed.
+//
+// Two searches are made, and the cheaper walk is taken: many walks side by side over the whole
+// path (walk_beam.h, ours), which prepares a turn in time and decides where to begin; and from that
+// beginning horizon by horizon as in [K] (walk_search.h), which can prove that within each
+// horizon nothing is better.
 #pragma once
 
 #include "motion/graph/edge_ways.h"
@@ -23,7 +28,7 @@ struct PathWalkOptions {
   // so there is always a walk, and short passages through other styles are accepted.
   double other_label_m = 1;
   double horizon_s = 4, kept_s = 1;
-  std::int64_t most_edges = 200'000;  // visited in a horizon
+  std::int64_t most_edges = 50'000;  // visited in a horizon
 };
 
 struct PathWalk {

@@ -5,16 +5,11 @@
 #include <utility>
 
 namespace promenade::motion {
-namespace {
-
-constexpr std::array sides = {Side::left, Side::right};
-
-}  // namespace
 
 KneeAxes knee_axes(const Take& take) {
   KneeAxes axes;
-  for (std::size_t s = 0; s < sides.size(); ++s) {
-    axes[s] = knee_axis(take.skeleton, take.body, sides[s], take.poses);
+  for (std::size_t s = 0; s < foot_sides.size(); ++s) {
+    axes[s] = knee_axis(take.skeleton, take.body, foot_sides[s], take.poses);
   }
   return axes;
 }
@@ -24,9 +19,9 @@ FrameGap frame_gap(const Skeleton& skeleton, const BodyMap& body, const KneeAxes
   FrameGap gap;
   gap.place_m =
       (before.positions - 2 * now.positions + after.positions).colwise().norm().maxCoeff();
-  for (std::size_t s = 0; s < sides.size(); ++s) {
+  for (std::size_t s = 0; s < foot_sides.size(); ++s) {
     const auto bend = [&](const WorldPose& world) {
-      return knee_bend(skeleton, body, sides[s], axes[s], world);
+      return knee_bend(skeleton, body, foot_sides[s], axes[s], world);
     };
     gap.knee = std::max(gap.knee, std::abs(bend(before) - 2 * bend(now) + bend(after)));
   }

@@ -12,9 +12,11 @@
 
 namespace promenade::motion {
 
-// One for each foot, left first (leg_ik.h).
+// Feet in arrays: left, right.
+inline constexpr std::array foot_sides = {Side::left, Side::right};
+
 using KneeAxes = std::array<Eigen::Vector3d, 2>;
-KneeAxes knee_axes(const Take& take);
+KneeAxes knee_axes(const Take& take);  // leg_ik.h
 
 struct FrameGap {
   double place_m = 0;  // the largest of any joint

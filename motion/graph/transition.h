@@ -20,12 +20,14 @@ struct TransitionFrames {
 // p = -1, 0 at p = k - 1; held outside.
 double weight_of_first(int p, int k);
 
-// Gaps are largest second differences (seam_measures.h), from the frame before the transition
-// to the one after it; "inside" are those of the two captures as they are, from a second before
+// Slides are the ways of the point of a foot (heel, ankle or toe) that moves least, summed over the
+// steps from frame to frame in which it stands still; while it lands it slides in captures too.
+// Gaps are largest second differences (seam_measures.h). Both from the frame before the transition
+// to the one after it. "Inside" are gaps of the two captures as they are, from a second before
 // their windows to a second after: there is a step of each foot in it.
 struct TransitionQuality {
-  double slide_m = 0;      // the way of the supporting point of a foot that stands, the worse foot
-  double slide_raw_m = 0;  // the same before the feet were cleaned
+  double slide_m = 0;                        // the worse foot
+  double slide_raw_m = 0;                    // the same before the feet were cleaned
   double gap_m = 0, inside_gap_m = 0;        // of a joint's place
   double knee_gap = 0, inside_knee_gap = 0;  // radians: of a knee's bend
   double moved_m = 0;                        // the most that an ankle was moved by cleaning
@@ -42,6 +44,8 @@ struct TransitionLimits {
   double most_slide_m = 0.005;
 };
 
+// Refused is what slides further than the limit, and what has larger gaps than there are inside
+// (but 0.5 mm and 0.1 degrees, which nobody sees, or people who stand still could do nothing).
 // Takes share one skeleton and frame time. A take that begins with its window cannot be left by
 // it, since no frame stands before it: that is refused, without poses.
 Transition make_transition(const FootedTake& a, const FootedTake& b, const TransitionFrames& frames,

@@ -1,5 +1,7 @@
 // A stimulus on its page: it plays from its start by the time of the session, and a replay of the
 // log shows the same.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
 #include "app/trial_player.h"
@@ -19,11 +21,8 @@ using bench::SessionBench;
 
 class StimulusPage : public testing::Test {
  protected:
-  StimulusPage() {
-    write_file(folder_.file("walks.graph"), motion::to_bytes(bench::walks_graph()));
-  }
-
   std::string text() const {
+    write_file(folder_.file("walks.graph"), motion::to_bytes(bench::walks_graph()));
     return "[study]\nname = 'stimuli'\norder = 'fixed'\n"
            "[[stimulus]]\nname = 'happy_then_sad'\ngraph = '" +
            folder_.file("walks.graph") +
@@ -83,10 +82,10 @@ TEST_F(StimulusPage, IsPausedByItsButtonAndByThePauseOfTheSession) {
   EXPECT_EQ(seconds_shown(), stood);
   bench_.click("play");
   walk(2);
-  bench_.click("pause");
+  bench_.key(GLFW_KEY_ESCAPE);
   const double paused = seconds_shown();
   walk(60);
-  bench_.click("continue");
+  bench_.click("resume");
   walk(1);
   EXPECT_LT(seconds_shown() - paused, 0.3);
 }

@@ -16,6 +16,10 @@ MotionGraph kept_graph() {
   graph.options.labels = {{"a", "b", 0.04}};
   graph.transitions[0].quality.slide_m = 0.003;
   graph.threshold_m = 0.05;
+  // As every graph that was built has them.
+  for (GraphTransition& transition : graph.transitions) {
+    for (Pose& pose : transition.poses) pose.root = pose.root.cast<float>().cast<double>();
+  }
   return graph;
 }
 

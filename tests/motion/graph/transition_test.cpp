@@ -117,6 +117,35 @@ Take seen(const Passed& passed) {
   return take;
 }
 
+// Whether a foot is flat or on its toe from one frame to another; in the first third of a stance
+// it turns about its heel.
+bool stands(const Take& take, Side side, int from, int to) {
+  const FootContacts contacts = find_contacts(take);
+  for (const Stance& stance : side == Side::left ? contacts.left : contacts.right) {
+    if (stance.on + (stance.off - stance.on) / 3 <= from && to <= stance.off) return true;
+  }
+  return false;
+}
+
+TEST(Transition, LeavesAToeWhereItStoodFromBeforeUntilAfter) {
+  int seen_standing = 0;
+  for (const Passed& passed : usable_passages()) {
+    const auto& [i, j, k] = passed.match.frames;
+    for (const Side side : {Side::left, Side::right}) {
+      if (!stands(walkers().take(passed.a), side, i - 1, i + k) ||
+          !stands(walkers().take(passed.b), side, j - k, j)) {
+        continue;
+      }
+      const Take take = seen(passed);
+      const Eigen::Vector3d way = body_at(take, k + 1).col(leg_joints(side).toe) -
+                                  body_at(take, 1).col(leg_joints(side).toe);
+      EXPECT_LT(std::hypot(way.x(), way.z()), 0.005);
+      ++seen_standing;
+    }
+  }
+  EXPECT_GE(seen_standing, 3);
+}
+
 TEST(Transition, IsAsSmoothAsTheWalksAroundIt) {
   for (const Passed& passed : usable_passages()) {
     const TransitionQuality& quality = passed.transition.quality;
