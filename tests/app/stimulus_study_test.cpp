@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include "app/commands.h"
 #include "motion/files.h"
@@ -43,7 +44,7 @@ class StimulusStudy : public testing::Test {
     for (const auto& add :
          {add_check_command, add_simulate_command, add_report_command, add_pack_command,
           add_replay_command, add_plan_command, add_export_command, add_model_command}) {
-      add(program);
+      add(Command(&program));
     }
     std::reverse(arguments.begin(), arguments.end());
     testing::internal::CaptureStdout();
