@@ -43,6 +43,7 @@ void PathWorker::ask(std::optional<WantedPath> path) {
   const std::lock_guard lock(mutex_);
   ++newest_;
   stopped_ = false;
+  share_ = 0;
   working_ = path.has_value();
   news_.reset();
   trouble_.clear();
@@ -98,9 +99,15 @@ motion::PathWalk PathWorker::search(const Job& job, const std::stop_token& ended
   if (ways_.empty()) ways_ = motion::edge_ways(*graph_, motion::edge_courses(*graph_));
   motion::PathWalkOptions options = options_;
   options.parts = job.path.parts;
+  bool whole = false;  // a walk along the whole path is known
   const auto heard = [&](const motion::GraphWalk& walk, double share) {
+    if (job.number == newest_) share_ = share;
+    const bool better = share >= 1 || !whole;
+    whole = whole || share >= 1;
     // What nobody has looked at yet is not worth a new motion.
-    if (!walk.edges.empty() && told()) publish(job, {motion_of(graph_, walk), share, {}});
+    if (better && !walk.edges.empty() && (whole || told())) {
+      publish(job, {motion_of(graph_, walk), share, {}});
+    }
     return !ended.stop_requested() && !stopped_ && job.number == newest_;
   };
   return motion::walk_along(*graph_, ways_, motion::GroundPath(job.path.points), options, heard);

@@ -33,6 +33,9 @@ class PathWorker {
   void stop();                  // the best so far is the answer
   void forget();                // nothing is asked for any more
   bool working() const { return working_; }
+  // Of the path, 0 to 1, that the search has come along. Again from 0 when it looks for a better
+  // walk.
+  double share() const { return share_; }
   // What is better than all that was told before; null: nothing is.
   std::shared_ptr<const WalkedPath> news();
   std::string trouble() const;  // why there is no walk; empty: nothing is wrong
@@ -62,6 +65,7 @@ class PathWorker {
   // What the search asks often, without the mutex.
   std::atomic<int> newest_ = 0;  // the number of the last job
   std::atomic<bool> stopped_ = false, working_ = false;
+  std::atomic<double> share_ = 0;
   std::jthread thread_;  // last: it uses all the others
 };
 

@@ -64,11 +64,12 @@ PathWalk measured(const MotionGraph& graph, const PathObjective& objective, cons
 // Where captures turn often, many walks near the best find the best. Where they turn seldom,
 // those that turn look bad for long: then the best at each node must all go on.
 BeamWalk look_broadly(const MotionGraph& graph, const PathObjective& objective,
-                      const std::vector<WalkState>& starts, const WalkProgress& progress) {
+                      const std::vector<WalkState>& starts, const BeamProgress& progress) {
   const int outlook = static_cast<int>(std::lround(0.1 / graph.frame_time));
   const BeamOptions near{0.1, 1000, 6, outlook}, everywhere{0.1, 5000, 1, outlook};
   BeamWalk best = best_of_many(graph, objective, starts, near, progress);
   if (best.found.stopped) return best;
+  if (progress && !best.found.edges.empty()) progress(best);  // there is a whole walk
   BeamWalk other = best_of_many(graph, objective, starts, everywhere, progress);
   const std::int64_t visited = best.found.visited + other.found.visited;
   const bool better = !other.found.stopped && !other.found.edges.empty() &&
@@ -78,11 +79,11 @@ BeamWalk look_broadly(const MotionGraph& graph, const PathObjective& objective,
   return best;
 }
 
-WalkProgress telling(const GroundPath& path, const PathProgress& progress,
-                     const PlanarMove& start) {
+BeamProgress telling(const GroundPath& path, const PathProgress& progress) {
   if (!progress) return {};
-  return [&path, &progress, start](const FoundWalk& found) {
-    return progress({found.edges, start}, std::min(1.0, found.end.travelled_m / path.length()));
+  return [&path, &progress](const BeamWalk& walk) {
+    return progress({walk.found.edges, walk.start.place},
+                    std::min(1.0, walk.found.end.travelled_m / path.length()));
   };
 }
 
@@ -108,13 +109,12 @@ PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
   const PathObjective objective(graph, ways, path, options);
   const WalkSearch search(graph, objective);
   const WalkSearchOptions how = search_options(graph, options);
-  const BeamWalk broad = look_broadly(graph, objective, starts_of(graph, objective, options),
-                                      telling(path, progress, {}));
+  const BeamProgress told = telling(path, progress);
+  const BeamWalk broad = look_broadly(graph, objective, starts_of(graph, objective, options), told);
   if (broad.found.stopped || broad.found.edges.empty()) return measured(graph, objective, broad);
   // Whatever costs more already need not be searched to its end.
-  const WalkProgress told = telling(path, progress, broad.start.place);
   const auto still_better = [&](const FoundWalk& found) {
-    return found.end.cost <= broad.found.end.cost && (!told || told(found));
+    return found.end.cost <= broad.found.end.cost && (!told || told({broad.start, found}));
   };
   const BeamWalk deep{broad.start,
                       search.whole_walk({broad.start, broad.found.edges}, how, still_better)};

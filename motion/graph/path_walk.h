@@ -43,9 +43,10 @@ struct PathWalk {
   std::int64_t visited = 0;
 };
 
-// `progress` is told the best walk so far and the share of the path that it covers, 0 to 1; false
-// stops. While a beginning is sought that walk has no edges. Throws an InputError where no edge
-// has a label that is asked for.
+// `progress` is told of a walk and the share of the path that it covers, 0 to 1; false stops. The
+// path is searched several times: after the first there is a whole walk, and the last walk
+// told that covers the path is the best so far. Throws an InputError where no edge has a label that
+// is asked for.
 PathWalk walk_along(const MotionGraph& graph, const GroundPath& path,
                     const PathWalkOptions& options = {},
                     const std::function<bool(const GraphWalk&, double)>& progress = {});
