@@ -87,7 +87,6 @@ void PathView::follow() {
   const std::shared_ptr<const WalkedPath> news = scene_.worker.news();
   if (news == nullptr) return;
   walked_ = news;
-  whole_ = news->share >= 1;
   way_ = way_of(*news->motion);
   scene_.stage.walk(news->motion, news->result.has_value());
 }
@@ -95,7 +94,6 @@ void PathView::follow() {
 void PathView::ask() {
   revision_ = scene_.drawing.revision();
   wanted_ = scene_.drawing.wanted();
-  whole_ = false;
   said_.clear();
   if (wanted_) return scene_.worker.start(*wanted_);
   scene_.worker.forget();
@@ -355,10 +353,8 @@ void PathView::draw_progress(const Ui& ui, const Box& box) {
   fill({bar.x, bar.y, std::round(static_cast<float>(share) * bar.width), bar.height},
        palette.created);
   if (button(ui, "stop", stop, "Stop", ButtonKind::outlined)) scene_.worker.stop();
-  const double wanted_m = wanted_ ? wanted_->length : 0;
   draw_text(ui.look.fonts.text, {box.x, box.y + high, box.width, box.height - high}, palette.text,
-            fmt::format("Looking for a {}walk: {:.1f} m of {:.1f} m", whole_ ? "better " : "",
-                        share * wanted_m, wanted_m));
+            fmt::format("Looking for the best walk: {:.0f} %", 100 * share));
 }
 
 void PathView::draw_foot(const Ui& ui) {

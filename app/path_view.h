@@ -84,8 +84,7 @@ class PathView {
   std::optional<WantedPath> wanted_;
   std::shared_ptr<const WalkedPath> walked_;
   WalkedWay way_;
-  bool whole_ = false;  // it leads along the whole path
-  std::string said_;    // about the last Save
+  std::string said_;  // about the last Save
   bool failed_ = false;
 };
 

@@ -88,7 +88,7 @@ void PathWorker::work(const Job& job, const std::stop_token& ended) {
   try {
     motion::PathWalk found = search(job, ended);
     if (found.walk.edges.empty()) return finish(job, "Stopped before a walk was found");
-    publish(job, {motion_of(graph_, found), 1, std::move(found)});
+    publish(job, {motion_of(graph_, found), std::move(found)});
     finish(job, "");
   } catch (const InputError& error) {
     finish(job, error.problems().front().message);
@@ -99,14 +99,13 @@ motion::PathWalk PathWorker::search(const Job& job, const std::stop_token& ended
   if (ways_.empty()) ways_ = motion::edge_ways(*graph_, motion::edge_courses(*graph_));
   motion::PathWalkOptions options = options_;
   options.parts = job.path.parts;
-  bool whole = false;  // a walk along the whole path is known
+  std::vector<int> published;
   const auto heard = [&](const motion::GraphWalk& walk, double share) {
     if (job.number == newest_) share_ = share;
-    const bool better = share >= 1 || !whole;
-    whole = whole || share >= 1;
     // What nobody has looked at yet is not worth a new motion.
-    if (better && !walk.edges.empty() && (whole || told())) {
-      publish(job, {motion_of(graph_, walk), share, {}});
+    if (!walk.edges.empty() && walk.edges != published && told()) {
+      publish(job, {motion_of(graph_, walk), {}});
+      published = walk.edges;
     }
     return !ended.stop_requested() && !stopped_ && job.number == newest_;
   };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -14,6 +15,7 @@ namespace promenade::study {
 namespace {
 
 constexpr double shortest_part_s = 0.1, longest_part_s = 600;
+constexpr double least_miss_s = 0.5, most_miss = 0.25;  // that is worth a warning: s, share
 constexpr std::int64_t largest_seed = INT64_MAX;
 
 using Graph = std::shared_ptr<const motion::MotionGraph>;
@@ -98,6 +100,29 @@ std::vector<motion::WantedLabel> read_parts(const TomlTable& table, const Graph&
   return good ? parts : std::vector<motion::WantedLabel>();
 }
 
+// Seconds of each label.
+std::map<std::string, double> seen_in(const Stimulus& stimulus) {
+  std::map<std::string, double> seconds;
+  for (const motion::LabelledPart& part : stimulus.labels) {
+    seconds[part.label] += (part.to - part.from) * stimulus.take.frame_time;
+  }
+  return seconds;
+}
+
+// A graph may have no walk that comes near to what is asked.
+void warn_of_other_seconds(const TomlTable& table, const std::vector<motion::WantedLabel>& parts,
+                           const Stimulus& stimulus) {
+  std::map<std::string, double> asked, seen = seen_in(stimulus);
+  for (const motion::WantedLabel& part : parts) asked[part.label] += part.seconds;
+  for (const auto& [label, seconds] : seen) asked[label] += 0;
+  for (const auto& [label, seconds] : asked) {
+    if (std::abs(seen[label] - seconds) <= std::max(least_miss_s, most_miss * seconds)) continue;
+    table.warning("parts", fmt::format("\"{}\" is seen for {:.1f} s, not for the {:.1f} s that are "
+                                       "asked for: the graph has no better walk",
+                                       label, seen[label], seconds));
+  }
+}
+
 std::shared_ptr<const Stimulus> read_stimulus(const TomlTable& table, const StudyContext& context,
                                               GraphShelf& graphs) {
   const std::string name = read_name(table);
@@ -112,6 +137,7 @@ std::shared_ptr<const Stimulus> read_stimulus(const TomlTable& table, const Stud
   try {
     *stimulus = make_stimulus(name, graph, find_walk(*graph, parts, seed));
     stimulus->file = file;
+    warn_of_other_seconds(table, parts, *stimulus);
   } catch (const InputError& error) {
     for (const Problem& problem : error.problems()) table.error("parts", problem.message);
   }

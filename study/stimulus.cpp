@@ -67,7 +67,8 @@ std::vector<int> find_walk(const motion::MotionGraph& graph,
     from = std::find_if(from, seen.end(), [&](auto& one) { return one.label == part.label; });
     if (from != seen.end()) continue;
     throw InputError(graph.name, "the motion graph has no walk that shows " + in_words(parts) +
-                                     "; ask for other labels, or build it with a larger threshold");
+                                     " about as long as asked; ask for other labels or times, or "
+                                     "build it with a larger threshold");
   }
   return edges;
 }

@@ -161,11 +161,11 @@ std::string qualities_text(const StudyBundle& bundle, const Task& task) {
 std::string stimuli_text(const StudyBundle& bundle) {
   std::string text;
   for (const auto& one : bundle.study.stimuli) {
-    text += fmt::format(
-        "  stimulus {}: {:.1f} s of {}: {}, {} transitions{}\n", one->name, one->seconds(),
-        one->file, study::describe_parts(*one), study::count_transitions(*one),
-        study::same_bones(one->take.skeleton, bundle.space.set.skeleton) ? ""
-                                                                         : "; a figure of its own");
+    const bool alike = study::same_bones(one->take.skeleton, bundle.space.set.skeleton);
+    const int transitions = study::count_transitions(*one);
+    text += fmt::format("  stimulus {}: {:.1f} s of {}: {}, {} transition{}{}\n", one->name,
+                        one->seconds(), one->file, study::describe_parts(*one), transitions,
+                        transitions == 1 ? "" : "s", alike ? "" : "; a figure of its own");
   }
   return text;
 }

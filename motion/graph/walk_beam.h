@@ -20,7 +20,7 @@ struct BeamWalk {
   FoundWalk found;  // no edges: no walk was done; `complete` is false
 };
 
-// Told of a walk now and then; false stops the search.
+// Told of the best walk so far now and then; false stops the search.
 using BeamProgress = std::function<bool(const BeamWalk&)>;
 
 // The best walk that is done, from any of the starts. Memory: a few numbers for each walk of each

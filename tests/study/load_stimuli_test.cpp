@@ -122,10 +122,19 @@ TEST(Stimuli, AreWarnedOfWhereNobodySeesThemOrTheirFigureIsAnother) {
   const StudyBundle bundle =
       stimulus_bundle(head_text + stimulus_text + rate_text +
                       "[[stimulus]]\nname = 'alone'\ngraph = 'walks.graph'\nparts = [{label = "
-                      "'far', seconds = 1}]");
+                      "'far', seconds = 2.5}]");
   ASSERT_EQ(bundle.warnings.size(), 2U);
   EXPECT_NE(bundle.warnings[0].message.find("has other bones"), std::string::npos);
   EXPECT_EQ(bundle.warnings[1].message, "no task shows the stimulus \"alone\"");
+}
+
+TEST(Stimuli, AreWarnedOfWhereTheGraphHasNoWalkOfThatLength) {
+  const StudyBundle bundle =
+      stimulus_bundle(head_text + with("'far', seconds = 2", "'far', seconds = 1.5"));
+  const auto about_far = [](const Problem& one) {
+    return one.message.starts_with("\"far\" is seen for ") && one.line == 8;
+  };
+  EXPECT_EQ(std::count_if(bundle.warnings.begin(), bundle.warnings.end(), about_far), 1);
 }
 
 TEST(Stimuli, AreInTheOutlineOfTheirStudy) {
