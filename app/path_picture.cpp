@@ -200,9 +200,9 @@ void PathPicture::draw_walker(const Vector2d& at, const Vector2d& heading) const
   const float radius = ui_.layout.size(6);
   const auto draw = [&](float rim, const Rgb& colour) {
     list->AddCircleFilled(middle, radius + rim, packed(colour), 32);
-    list->AddTriangleFilled(point(2.6f * radius + 1.6f * rim, 0),
-                            point(1.4f * radius - 0.6f * rim, 0.9f * radius + 1.4f * rim),
-                            point(1.4f * radius - 0.6f * rim, -0.9f * radius - 1.4f * rim),
+    list->AddTriangleFilled(point(3.1f * radius + 2.0f * rim, 0),
+                            point(1.35f * radius - 0.5f * rim, 0.75f * radius + 1.3f * rim),
+                            point(1.35f * radius - 0.5f * rim, -0.75f * radius - 1.3f * rim),
                             packed(colour));
   };
   draw(ui_.layout.size(2), palette.on_colour);

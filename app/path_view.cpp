@@ -88,14 +88,12 @@ void PathView::follow() {
   if (news == nullptr) return;
   walked_ = news;
   way_ = way_of(*news->motion);
-  share_ = news->share;
   scene_.stage.walk(news->motion, news->result.has_value());
 }
 
 void PathView::ask() {
   revision_ = scene_.drawing.revision();
   wanted_ = scene_.drawing.wanted();
-  share_ = 0;
   said_.clear();
   if (wanted_) return scene_.worker.start(*wanted_);
   scene_.worker.forget();
@@ -273,25 +271,36 @@ void PathView::take_back() {
   if (!scene_.drawing.corners().empty()) cursor_ = scene_.drawing.corners().back().at;
 }
 
-float PathView::draw_labels(const Ui& ui, const Box& box) {
+// One beside the other and, where there is no room, below; from (0, 0).
+std::vector<Box> PathView::label_boxes(const Ui& ui, float width) const {
   const float high = ui.layout.size(30), gap = ui.layout.size(6);
-  ImGui::SetCursorScreenPos({box.x, box.y});
-  ImGui::BeginChild("labels", {box.width, box.height}, false, ImGuiWindowFlags_NoBackground);
-  const ImVec2 from = ImGui::GetCursorScreenPos();
-  const float right = from.x + box.width - ImGui::GetStyle().ScrollbarSize;
-  ImVec2 at = from;
-  for (std::size_t k = 0; k < choices_.size(); ++k) {
-    const std::string_view words = k == 0 ? any_style : std::string_view(choices_[k]);
-    const float wide = std::min(
-        right - from.x, std::round(text_width(ui.look.fonts.bold, words)) + ui.layout.size(26));
-    if (at.x > from.x && at.x + wide > right) at = {from.x, at.y + high + gap};
-    draw_label(ui, {at.x, at.y, wide, high}, k);
-    at.x += wide + gap;
+  std::vector<Box> boxes;
+  Box next{0, 0, 0, high};
+  for (const std::string& label : choices_) {
+    const std::string_view words = label.empty() ? any_style : std::string_view(label);
+    next.width = std::round(text_width(ui.look.fonts.bold, words)) + ui.layout.size(26);
+    next.width = std::min(next.width, width);
+    if (next.x > 0 && next.right() > width) next = {0, next.bottom() + gap, next.width, high};
+    boxes.push_back(next);
+    next.x = next.right() + gap;
   }
-  ImGui::SetCursorScreenPos({from.x, at.y + high});
+  return boxes;
+}
+
+float PathView::draw_labels(const Ui& ui, const Box& box) {
+  const std::vector<Box> boxes = label_boxes(ui, box.width - ImGui::GetStyle().ScrollbarSize);
+  const float high = std::min(box.height, boxes.back().bottom());
+  ImGui::SetCursorScreenPos({box.x, box.y});
+  ImGui::BeginChild("labels", {box.width, high}, false, ImGuiWindowFlags_NoBackground);
+  const ImVec2 from = ImGui::GetCursorScreenPos();
+  for (std::size_t k = 0; k < choices_.size(); ++k) {
+    const Box& at = boxes[k];
+    draw_label(ui, {from.x + at.x, from.y + at.y, at.width, at.height}, k);
+  }
+  ImGui::SetCursorScreenPos({from.x, from.y + boxes.back().bottom()});
   ImGui::EndChild();
   choose_by_key(ui);
-  return std::min(box.height, at.y + high - from.y);
+  return high;
 }
 
 void PathView::draw_label(const Ui& ui, const Box& box, std::size_t k) {
@@ -340,12 +349,12 @@ void PathView::draw_progress(const Ui& ui, const Box& box) {
   const Box bar{box.x, box.y + ui.layout.size(10), stop.x - box.x - ui.layout.size(16),
                 ui.layout.size(12)};
   fill(bar, palette.track);
-  fill({bar.x, bar.y, std::round(static_cast<float>(share_) * bar.width), bar.height},
+  const double share = scene_.worker.share();
+  fill({bar.x, bar.y, std::round(static_cast<float>(share) * bar.width), bar.height},
        palette.created);
   if (button(ui, "stop", stop, "Stop", ButtonKind::outlined)) scene_.worker.stop();
-  const double wanted_m = wanted_ ? wanted_->length : 0;
   draw_text(ui.look.fonts.text, {box.x, box.y + high, box.width, box.height - high}, palette.text,
-            fmt::format("Looking for a walk: {:.1f} m of {:.1f} m", share_ * wanted_m, wanted_m));
+            fmt::format("Looking for the best walk: {:.0f} %", 100 * share));
 }
 
 void PathView::draw_foot(const Ui& ui) {

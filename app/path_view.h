@@ -50,6 +50,7 @@ class PathView {
   void draw_stage(const Ui& ui);
   void draw_plane(const Ui& ui, const Box& box);
   void draw_picture(const Ui& ui, const GroundPlan& plan, const PlaneTouch& touch) const;
+  std::vector<Box> label_boxes(const Ui& ui, float width) const;
   float draw_labels(const Ui& ui, const Box& box);  // the height that they take
   void draw_label(const Ui& ui, const Box& box, std::size_t k);
   void draw_state(const Ui& ui, const Box& box);
@@ -83,7 +84,6 @@ class PathView {
   std::optional<WantedPath> wanted_;
   std::shared_ptr<const WalkedPath> walked_;
   WalkedWay way_;
-  double share_ = 0;  // of the path, that the search has
   std::string said_;  // about the last Save
   bool failed_ = false;
 };

@@ -275,7 +275,8 @@ CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
       ++turning;
       continue;
     }
-    cycle.score = cycle.window_m * cycle.length();
+    constexpr double same_m = 0.001;  // loops that close better than this are as good
+    cycle.score = (cycle.window_m + same_m) * cycle.length();
     search.candidates.push_back(std::move(cycle));
   }
   if (turning > 0) search.refusal = std::to_string(turning) + " turn";

@@ -103,9 +103,7 @@ Json takes_json(const motion::MotionGraph& graph) {
 
 Json refusals_json(const motion::BuiltGraph& built) {
   Json list = Json::array();
-  const auto source = [&](int take) {
-    return built.graph.takes[static_cast<std::size_t>(take)].take.source;
-  };
+  const auto source = [&](int take) { return built.graph.take(take).take.source; };
   for (const motion::RefusedTransition& one : built.refusals) {
     list.push_back({{"from", source(one.from_take)},
                     {"frame", one.frames.i},

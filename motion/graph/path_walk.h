@@ -43,16 +43,16 @@ struct PathWalk {
   std::int64_t visited = 0;
 };
 
-// `progress` is told the best walk so far and the share of the path that it covers, 0 to 1; false
-// stops. While a beginning is sought that walk has no edges. Throws an InputError where no edge
-// has a label that is asked for.
+// Told of the best walk so far, and of the share of the work that is done, 0 to 1; false stops.
+using PathProgress = std::function<bool(const GraphWalk&, double)>;
+
+// Throws an InputError where no edge has a label that is asked for.
 PathWalk walk_along(const MotionGraph& graph, const GroundPath& path,
-                    const PathWalkOptions& options = {},
-                    const std::function<bool(const GraphWalk&, double)>& progress = {});
+                    const PathWalkOptions& options = {}, const PathProgress& progress = {});
 
 // The same with ways that are there already, as many paths over one graph need.
 PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
                     const GroundPath& path, const PathWalkOptions& options,
-                    const std::function<bool(const GraphWalk&, double)>& progress = {});
+                    const PathProgress& progress = {});
 
 }  // namespace promenade::motion

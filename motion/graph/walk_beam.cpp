@@ -20,7 +20,7 @@ class Beam {
         ways_(digraph_of(graph)),
         at_node_(graph.nodes.size(), 0) {}
 
-  BeamWalk run(const std::vector<WalkState>& starts, const WalkProgress& progress) {
+  BeamWalk run(const std::vector<WalkState>& starts, const BeamProgress& progress) {
     for (std::size_t s = 0; s < starts.size(); ++s) {
       add({starts[s], -1, -1 - static_cast<int>(s)});
     }
@@ -32,8 +32,8 @@ class Beam {
         go_on(chosen(std::exchange(levels_[level_], {})));
       }
       levels_[level_] = {};
-      stopped_ = progress && furthest_ && level_ % 16 == 15 &&
-                 !progress(walk_to(*furthest_, starts).found);
+      stopped_ =
+          progress && furthest_ && level_ % 16 == 15 && !progress(walk_to(*furthest_, starts));
     }
     if (done_) return walk_to(*done_, starts);
     return stopped_ && furthest_ ? walk_to(*furthest_, starts) : BeamWalk{};
@@ -86,7 +86,7 @@ class Beam {
 
   Walker step(const Walker& from, int edge, int past) {
     ++visited_;
-    const int frames = graph_.edges[at(edge)].frames;
+    const int frames = graph_.edge(edge).frames;
     return {objective_.after(from.state, edge, frames), past, edge};
   }
 
@@ -124,7 +124,7 @@ class Beam {
 
 BeamWalk best_of_many(const MotionGraph& graph, const WalkObjective& objective,
                       const std::vector<WalkState>& starts, const BeamOptions& options,
-                      const WalkProgress& progress) {
+                      const BeamProgress& progress) {
   return Beam(graph, objective, options).run(starts, progress);
 }
 

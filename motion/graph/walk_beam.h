@@ -20,10 +20,13 @@ struct BeamWalk {
   FoundWalk found;  // no edges: no walk was done; `complete` is false
 };
 
+// Told of the best walk so far now and then; false stops the search.
+using BeamProgress = std::function<bool(const BeamWalk&)>;
+
 // The best walk that is done, from any of the starts. Memory: a few numbers for each walk of each
 // level. Stopped, it gives the walk that had come furthest, and of these the cheapest.
 BeamWalk best_of_many(const MotionGraph& graph, const WalkObjective& objective,
                       const std::vector<WalkState>& starts, const BeamOptions& options,
-                      const WalkProgress& progress = {});
+                      const BeamProgress& progress = {});
 
 }  // namespace promenade::motion

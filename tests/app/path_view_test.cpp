@@ -254,7 +254,7 @@ class LongSearch : public PathWindow {
       move_to(over({0, 0}));
       push({.kind = UiEvent::Kind::wheel, .y = -1});
     }
-    for (int k = 0; k < 30; ++k) click_at({0, k % 2 == 0 ? -15.0 : 15.0});
+    for (int k = 0; k < 12; ++k) click_at({0, k % 2 == 0 ? -15.0 : 15.0});
     key(GLFW_KEY_ENTER);
   }
 };

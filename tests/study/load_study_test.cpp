@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
                "toy.toml:19:3: error: unknown key \"ratings\"; did you mean \"rating\"?"},
         Broken{"example = \"far\"", "exmaple = \"far\"",
                "toy.toml:13:12: error: a target needs one of \"example\", \"weights\", "
-               "\"random\", \"file\", \"all\"\n"
+               "\"random\", \"file\", \"all\", \"stimulus\"\n"
                "toy.toml:13:14: error: unknown key \"exmaple\"; did you mean \"example\"?"},
         Broken{"name = \"toy\"", "", "toy.toml:1:1: error: \"name\" is missing here"},
         Broken{"kind = \"find\"", "", "toy.toml:15:1: error: \"kind\" is missing here"},

@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
                "or a control character, and not begin with a dot"},
         Broken{"[{ radnom = 'weights', count = 2 }]",
                "toy.toml:13:12: error: a target needs one of \"example\", \"weights\", \"random\", "
-               "\"file\", \"all\"\n"
+               "\"file\", \"all\", \"stimulus\"\n"
                "toy.toml:13:14: error: unknown key \"radnom\"; did you mean \"random\"?\n"
                "toy.toml:13:34: error: unknown key \"count\""},
         Broken{"[{ name = 'r1', example = 'far' }, { random = 'weights', count = 1, name = 'r' }]",
