@@ -11,8 +11,6 @@
 namespace promenade::motion {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 WalkSearchOptions search_options(const MotionGraph& graph, const PathWalkOptions& options) {
   WalkSearchOptions search;
   search.horizon = std::max(1, static_cast<int>(std::lround(options.horizon_s / graph.frame_time)));

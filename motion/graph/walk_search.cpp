@@ -7,8 +7,6 @@
 namespace promenade::motion {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // One search within one horizon.
 class HorizonSearch {
  public:
