@@ -170,7 +170,7 @@ void draw_matrix(Svg& svg, const Lines& lines) {
 std::string summary(const BuiltGraph& built) {
   const auto& s = built.statistics;
   return fmt::format(
-      "{} nodes, {} transitions; {:.1f} of {:.1f} s of captured motion can be walked on from; "
+      "{} nodes, {} transitions; {:.1f} of {:.1f} s of motion can be walked on from; "
       "RMS below {:.3f} m, {} transitions refused",
       s.nodes, s.transitions, s.seconds_kept, s.frames * built.graph.frame_time,
       built.graph.threshold_m, s.refused);

@@ -152,7 +152,7 @@ std::string graph_text(const motion::BuiltGraph& built, const std::string& out) 
       "{}: {} takes, {:.1f} s\n"
       "{} places where frames are alike (RMS below {:.4f} m, windows of {} frames)\n"
       "{} transitions of {} can be used, {} are left after pruning\n"
-      "{} nodes, {} edges; walks can show {:.1f} s of the captured motion\n",
+      "{} nodes, {} edges; walks can show {:.1f} s of it\n",
       out, graph.takes.size(), s.frames * graph.frame_time, s.matches, graph.threshold_m,
       graph.window, 2 * s.matches - s.refused, 2 * s.matches, s.transitions, s.nodes, s.edges,
       s.seconds_kept);
