@@ -52,33 +52,16 @@ std::vector<std::string> shown_words(const motion::MotionGraph& graph) {
 
 PathView::PathView(const PathScene& scene, Gui& gui, InputQueue& queue,
                    std::function<void(const motion::Take&)> save)
-    : scene_(scene), gui_(gui), queue_(queue), save_(std::move(save)), colours_(scene.graph) {
+    : scene_(scene), page_(gui, queue), save_(std::move(save)), colours_(scene.graph) {
   choices_.emplace_back();
   for (const std::string& label : colours_.labels()) choices_.push_back(label);
 }
 
 void PathView::frame() {
-  constexpr int most = 64;  // whoever types faster waits for the next frame
-  pass();
-  for (int k = 1; k < most && !queue_.empty(); ++k) pass();
-}
-
-void PathView::pass() {
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = 1.0f / 60;
-  queue_.feed(io);
-  ImGui::NewFrame();
-  focus_.begin(widgets_);
-  widgets_.clear();
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize(io.DisplaySize);
-  ImGui::Begin("path", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground);
-  follow();
-  draw({gui_.look(), gui_.layout(), widgets_, focus_});
-  ImGui::End();
-  ImGui::Render();
+  page_.frame([this](const Ui& ui) {
+    follow();
+    draw(ui);
+  });
 }
 
 // What is wanted is asked for, and what was found is walked.
@@ -173,7 +156,7 @@ void PathView::draw_picture(const Ui& ui, const GroundPlan& plan, const PlaneTou
   if (!scene_.stage.wandering()) {
     picture.draw_walker(scene_.stage.place(), scene_.stage.heading());
   }
-  if (touch.focused && focus_.ring()) picture.draw_cursor(cursor_);
+  if (touch.focused && page_.focus().ring()) picture.draw_cursor(cursor_);
   picture.draw_scale();
   ImGui::PopClipRect();
   app::frame(box, ui.look.palette.line, ui.layout.size(1));
