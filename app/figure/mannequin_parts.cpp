@@ -13,6 +13,8 @@ struct Frame {
   Vector3d left, up, ahead;
 };
 
+constexpr double shortest = 0.001;  // metres, of a part's axis
+
 Frame frame_of(const Vector3d& across, const Vector3d& along) {
   const Vector3d up = along.normalized();
   Vector3d ahead = across.cross(up);
@@ -46,8 +48,13 @@ class Builder {
     return left ? of_left : of_right;
   }
 
-  void add(const Vector3d& a, const Vector3d& b, double radius_a, double radius_b,
+  // Where both ends are in one place it is a ball: an axis must have a direction.
+  void add(Vector3d a, Vector3d b, double radius_a, double radius_b,
            const Vector3d& thin = Vector3d::Zero(), double flat = 1) {
+    if ((b - a).norm() < shortest) {
+      a.y() -= 0.5 * shortest;
+      b.y() += 0.5 * shortest;
+    }
     Part part;
     part.a = a.cast<float>();
     part.b = b.cast<float>();
@@ -62,7 +69,7 @@ class Builder {
   }
 
   void ball(const Vector3d& centre, double radius) {
-    add(centre - Vector3d(0, 0.0005, 0), centre + Vector3d(0, 0.0005, 0), radius, radius);
+    add(centre, centre, radius, radius);
     parts_.back().tone = Tone::joint;
   }
 
@@ -73,7 +80,10 @@ class Builder {
     const Vector3d top = at(neck);
     const Vector3d middle = at(chest);
     const Frame low = frame_of(at(left_hip) - at(right_hip), middle - hips);
-    const Frame high = frame_of(at(left_shoulder) - at(right_shoulder), top - middle);
+    // Some captures have the joints of chest and neck in one place.
+    const bool bends = (top - middle).norm() > 0.02 * s;
+    const Frame high =
+        frame_of(at(left_shoulder) - at(right_shoulder), bends ? top - middle : top - hips);
     const double hip_width = (at(left_hip) - at(right_hip)).norm();
     // The spine bends at the chest's joint; a curve through it hides the corner.
     const auto spine = [&](double t) -> Vector3d {

@@ -58,6 +58,24 @@ TEST(Figure, LooksWhereItWalks) {
   EXPECT_GT(mannequin.foot_ahead[0].z(), 0.8);
 }
 
+// Captures of the CMU data base have helper joints without length.
+TEST(Figure, IsWholeWhereChestAndNeckAreOne) {
+  const motion::MotionSet& set = bench::space().set;
+  const Mannequin mannequin = make_mannequin(set);
+  motion::WorldPose world =
+      motion::forward_kinematics(set.skeleton, motion::pose_at(set, set.cycles[0], 0.3));
+  world.positions.col(set.body.joint[motion::chest]) =
+      world.positions.col(set.body.joint[motion::neck]);
+  std::vector<Part> parts;
+  place_parts(mannequin, world, parts);
+  for (const Part& part : parts) {
+    const Eigen::Vector3f axis = (part.b - part.a).normalized();
+    EXPECT_NEAR(axis.norm(), 1, 1e-3f);
+    EXPECT_NEAR(part.thin.norm(), 1, 1e-5f);
+    EXPECT_NEAR(part.thin.dot(axis), 0, 1e-3f);
+  }
+}
+
 TEST(Figure, EveryPartLiesWithinItsQuad) {
   const View view = make_view({}, 1.7, 400, {424, 540}, {0, 0, 848, 720});
   const Mannequin mannequin = make_mannequin(bench::space().set);
