@@ -1,11 +1,28 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <vector>
 
 namespace promenade::app {
+namespace {
+
+// "nan" is a number to those who read it, and neither below nor above anything.
+std::string trouble_with_number(std::string& typed) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(typed, value) && std::isfinite(value)) return {};
+  return "Value " + typed + " is no finite number";
+}
+
+std::string trouble_with_positive(std::string& typed) {
+  double value = 0;
+  if (CLI::detail::lexical_cast(typed, value) && std::isfinite(value) && value > 0) return {};
+  return "Value " + typed + " is no number above 0";
+}
+
+}  // namespace
 
 Option Option::required() { return Option(option_->required()); }
 
@@ -24,10 +41,12 @@ Option Option::range(std::int64_t least, std::int64_t most) {
 }
 
 Option Option::range(double least, double most) {
-  return Option(option_->check(CLI::Range(least, most)));
+  return Option(option_->check(trouble_with_number)->check(CLI::Range(least, most)));
 }
 
-Option Option::positive() { return Option(option_->check(CLI::PositiveNumber)); }
+Option Option::positive() { return Option(option_->check(trouble_with_positive, "POSITIVE")); }
+
+Option Option::one_at_a_time() { return Option(option_->allow_extra_args(false)); }
 
 Option Option::capture_default_str() { return Option(option_->capture_default_str()); }
 

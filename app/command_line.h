@@ -28,7 +28,9 @@ class Option {
   Option range(int least, int most);
   Option range(std::int64_t least, std::int64_t most);
   Option range(double least, double most);
-  Option positive();  // a number above 0
+  Option positive();  // a finite number above 0
+  // Of several values: each is named again, so that the words behind it are not taken too.
+  Option one_at_a_time();
   Option capture_default_str();  // the help shows what the value is now
   Option needs(const Option& other);
   Option excludes(const Option& other);

@@ -1,5 +1,6 @@
 #include "app/path_worker.h"
 
+#include <exception>
 #include <utility>
 
 #include "motion/problem.h"
@@ -92,6 +93,8 @@ void PathWorker::work(const Job& job, const std::stop_token& ended) {
     finish(job, "");
   } catch (const InputError& error) {
     finish(job, error.problems().front().message);
+  } catch (const std::exception& error) {  // out of memory: the window lives on
+    finish(job, error.what());
   }
 }
 

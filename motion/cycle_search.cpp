@@ -192,6 +192,16 @@ void refine_end(const Take& take, CycleCandidate& cycle) {
   cycle.score = cycle.window_m + 0.1 * std::abs(cycle.turn);
 }
 
+// Of cycles whose scores round to the same hundredth of a millimetre the earlier one comes first,
+// whatever the last digits say.
+void best_first(std::vector<CycleCandidate>& cycles) {
+  const auto rounded = [](const CycleCandidate& cycle) { return std::round(1e5 * cycle.score); };
+  std::stable_sort(cycles.begin(), cycles.end(),
+                   [&](const CycleCandidate& a, const CycleCandidate& b) {
+                     return std::pair(rounded(a), a.first()) < std::pair(rounded(b), b.first());
+                   });
+}
+
 double median_length(const std::vector<CycleCandidate>& cycles) {
   std::vector<double> lengths;
   lengths.reserve(cycles.size());
@@ -255,9 +265,7 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
   for (CycleCandidate& cycle : found) {
     cycle.score += 0.1 * std::abs(std::log(cycle.length() / usual));
   }
-  std::stable_sort(
-      found.begin(), found.end(),
-      [](const CycleCandidate& a, const CycleCandidate& b) { return a.score < b.score; });
+  best_first(found);
   return search;
 }
 
@@ -283,9 +291,7 @@ CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
   if (search.candidates.empty() && turning == 0) {
     search.refusal = "it is nowhere like itself half a second to four seconds later";
   }
-  std::stable_sort(
-      search.candidates.begin(), search.candidates.end(),
-      [](const CycleCandidate& a, const CycleCandidate& b) { return a.score < b.score; });
+  best_first(search.candidates);
   return search;
 }
 

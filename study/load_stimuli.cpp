@@ -8,6 +8,7 @@
 
 #include "motion/did_you_mean.h"
 #include "motion/graph/graph_file.h"
+#include "motion/graph/graph_labels.h"
 #include "study/stimulus.h"
 #include "study/study_parts.h"
 
@@ -19,12 +20,6 @@ constexpr double least_miss_s = 0.5, most_miss = 0.25;  // that is worth a warni
 constexpr std::int64_t largest_seed = INT64_MAX;
 
 using Graph = std::shared_ptr<const motion::MotionGraph>;
-
-std::vector<std::string> labels_of(const motion::MotionGraph& graph) {
-  std::set<std::string> labels;
-  for (const motion::GraphTake& take : graph.takes) labels.insert(take.label);
-  return {labels.begin(), labels.end()};
-}
 
 // Reads every graph once, and says once what is wrong with it.
 class GraphShelf {
@@ -75,7 +70,7 @@ motion::WantedLabel read_part(const TomlTable& table, const Graph& graph, const 
   table.require("seconds");
   part.seconds = table.number("seconds", shortest_part_s, longest_part_s).value_or(0);
   if (!graph || part.label.empty()) return part;
-  const std::vector<std::string> labels = labels_of(*graph);
+  const std::vector<std::string> labels = motion::edge_labels(*graph);
   if (std::find(labels.begin(), labels.end(), part.label) != labels.end()) return part;
   table.error("label", "the motion graph \"" + file + "\" has no label \"" + part.label + "\"" +
                            did_you_mean(part.label, labels));

@@ -12,6 +12,7 @@ namespace promenade::study {
 namespace {
 
 constexpr double farthest_m = 10'000;
+constexpr double longest_m = 1000;  // of the whole path
 constexpr std::array columns = {"x", "z", "label"};
 
 class PathReader {
@@ -32,7 +33,14 @@ class PathReader {
       }
       const std::size_t label = cell_[2];
       table.labels.push_back(label < rows[r].cells.size() ? rows[r].cells[label] : "");
+      table.places.push_back(rows[r].place(label));
+      const std::size_t columns_there = rows[0].cells.size();
+      if (rows[r].cells.size() > columns_there) {
+        report(rows[r].place(columns_there),
+               "there are more cells than columns; decimals have a dot");
+      }
     }
+    check_length(table.points, rows);
     if (!problems_.empty()) throw InputError(problems_);
     return table;
   }
@@ -61,6 +69,16 @@ class PathReader {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       if (cell_[axis] == nowhere)
         report(header.place(0), "there is no column \"" + known[axis] + "\"");
+    }
+  }
+
+  void check_length(const Eigen::Matrix2Xd& points, const std::vector<CsvRow>& rows) {
+    double length = 0;
+    for (Eigen::Index p = 1; p < points.cols(); ++p) {
+      length += (points.col(p) - points.col(p - 1)).norm();
+      if (length <= longest_m) continue;
+      return report(rows[static_cast<std::size_t>(p) + 1].place(0),
+                    "the path is longer than a kilometre here");
     }
   }
 

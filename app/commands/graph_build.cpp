@@ -43,21 +43,12 @@ motion::LabelThreshold threshold_between(const std::string& text) {
                                     "sad,happy=0.04 (metres)");
 }
 
-void check_labels(const std::string& option, const std::vector<std::string>& wanted,
-                  const std::vector<motion::GraphTake>& takes) {
-  std::vector<std::string> known;
-  for (const motion::GraphTake& one : takes) known.push_back(one.label);
-  std::sort(known.begin(), known.end());
-  known.erase(std::unique(known.begin(), known.end()), known.end());
-  std::vector<Problem> problems;
-  for (const std::string& label : wanted) {
-    if (std::binary_search(known.begin(), known.end(), label)) continue;
-    problems.push_back({option, 0, 0,
-                        "no take has the label '" + label + "'" + did_you_mean(label, known) +
-                            "; there are: " + analysis::listed(known),
-                        Severity::error});
-  }
-  if (!problems.empty()) throw InputError(problems);
+std::vector<std::string> labels_of(const std::vector<motion::GraphTake>& takes) {
+  std::vector<std::string> labels;
+  for (const motion::GraphTake& one : takes) labels.push_back(one.label);
+  std::sort(labels.begin(), labels.end());
+  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+  return labels;
 }
 
 motion::BuiltGraph built_graph(NamedGraphTakes named, const Arguments& given) {
@@ -67,8 +58,9 @@ motion::BuiltGraph built_graph(NamedGraphTakes named, const Arguments& given) {
     options.labels.push_back(threshold_between(text));
     mentioned.insert(mentioned.end(), {options.labels.back().from, options.labels.back().to});
   }
-  check_labels("--between", mentioned, named.takes);
-  check_labels("--labels", given.labels, named.takes);
+  const std::vector<std::string> known = labels_of(named.takes);
+  check_labels("--between", mentioned, known);
+  check_labels("--labels", given.labels, known);
   if (!given.labels.empty()) {
     std::erase_if(named.takes, [&](const motion::GraphTake& one) {
       return std::find(given.labels.begin(), given.labels.end(), one.label) == given.labels.end();
@@ -164,17 +156,19 @@ std::string graph_text(const motion::BuiltGraph& built, const std::string& out) 
 }
 
 void build(const Arguments& given) {
-  const NamedGraphTakes named = load_graph_sources(given.sources);
+  check_outputs({given.out, given.table}, given.sources.names);
+  NamedGraphTakes named = load_graph_sources(given.sources);
   print_problems(named.warnings);
-  const motion::BuiltGraph built = built_graph(named, given);
+  const motion::BuiltGraph built = built_graph(std::move(named), given);
   if (!built.trouble.empty()) throw InputError(given.sources.names.front(), built.trouble);
-  write_file(given.out, motion::to_bytes(built.graph));
+  std::vector<NamedBytes> pictures;
   if (!given.pictures.empty()) {
-    write_files(
-        given.pictures,
-        {{"distances.svg", analysis::distance_picture(built, analysis::distances_of(built.graph))},
-         {"graph.svg", analysis::graph_picture(built)}});
+    pictures = {
+        {"distances.svg", analysis::distance_picture(built, analysis::distances_of(built.graph))},
+        {"graph.svg", analysis::graph_picture(built)}};
   }
+  write_file(given.out, motion::to_bytes(built.graph));
+  if (!given.pictures.empty()) write_files(given.pictures, pictures);
   if (!given.table.empty()) write_file(given.table, transitions_csv(built));
   if (given.json) return print_json(graph_json(built));
   print_text(graph_text(built, given.out));
@@ -205,8 +199,10 @@ void add_graph_build(Command graph_command) {
                   "Instead of a threshold: the best share of all places, 0 to 1")
       .range(0.0, 1.0)
       .excludes(threshold);
-  command.add_option("--between", given->between,
-                     "A threshold between two labels, A,B=METRES; can be given again");
+  command
+      .add_option("--between", given->between,
+                  "A threshold between two labels, A,B=METRES; can be given again")
+      .one_at_a_time();
   command.add_option("--labels", given->labels, "Use takes of these labels only").delimiter(',');
   command.add_option("--window", match.window_s, "Length of windows and transitions, seconds")
       .range(0.05, 5.0)

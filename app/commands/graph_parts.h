@@ -17,6 +17,14 @@ inline constexpr double most_walk_seconds = 3600;
 // A file that `graph build` wrote. Throws InputError or OutsideError.
 motion::MotionGraph load_graph(const std::string& file);
 
+// Throws InputError about `option` for every label that is not known, with what it may have been.
+void check_labels(const std::string& option, const std::vector<std::string>& wanted,
+                  const std::vector<std::string>& known);
+
+// Throws InputError when a file that is to be written is one of those that are read, or is to be
+// written twice. Empty names are none.
+void check_outputs(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
+
 struct WrittenWalk {
   const motion::MotionGraph& graph;
   const motion::GraphWalk& walk;

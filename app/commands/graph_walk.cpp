@@ -7,6 +7,7 @@
 #include "app/commands/graph_parts.h"
 #include "app/print.h"
 #include "motion/decimal.h"
+#include "motion/graph/graph_labels.h"
 #include "motion/graph/label_walk.h"
 
 namespace promenade::app {
@@ -26,17 +27,18 @@ motion::WantedLabel wanted_label(const std::string& text) {
   if (equals != std::string::npos && equals > 0) {
     const motion::ScannedNumber seconds =
         motion::to_number(std::string_view(text).substr(equals + 1));
-    if (!seconds.trouble && seconds.value > 0 && seconds.value <= most_walk_seconds) {
+    if (!seconds.trouble && seconds.value >= 0.1 && seconds.value <= most_walk_seconds) {
       return {text.substr(0, equals), seconds.value};
     }
   }
   throw InputError("--show", "'" + text +
                                  "' does not say a label and its seconds; they are wanted as in "
-                                 "happy=4,sad=4");
+                                 "happy=4,sad=4, at least 0.1");
 }
 
 motion::MotionGraph graph_with(const Arguments& given) {
   motion::MotionGraph graph = load_graph(given.graph);
+  check_labels("--labels", given.labels, motion::edge_labels(graph));
   if (given.labels.empty()) return graph;
   graph = motion::part_with_labels(graph, given.labels);
   if (graph.nodes.empty()) {
@@ -46,6 +48,7 @@ motion::MotionGraph graph_with(const Arguments& given) {
 }
 
 void walk(const Arguments& given) {
+  check_outputs({given.out, given.picture}, {given.graph});
   const motion::MotionGraph graph = graph_with(given);
   motion::LabelWalk found;
   if (given.show.empty()) {
@@ -53,7 +56,12 @@ void walk(const Arguments& given) {
     found.edges = motion::random_walk(graph, given.seed, frames);
   } else {
     std::vector<motion::WantedLabel> wanted;
-    for (const std::string& text : given.show) wanted.push_back(wanted_label(text));
+    std::vector<std::string> labels;
+    for (const std::string& text : given.show) {
+      wanted.push_back(wanted_label(text));
+      labels.push_back(wanted.back().label);
+    }
+    check_labels("--show", labels, motion::edge_labels(graph));
     found = motion::walk_through_labels(graph, wanted, given.seed);
   }
   const motion::GraphWalk walk{found.edges, motion::start_at_origin(graph, found.edges)};

@@ -67,23 +67,6 @@ std::vector<int> renumbered(const std::vector<bool>& kept) {
   return numbers;
 }
 
-void keep_nodes(const std::vector<bool>& kept, MotionGraph& graph) {
-  const std::vector<int> number = renumbered(kept);
-  std::vector<GraphNode> nodes;
-  for (std::size_t n = 0; n < kept.size(); ++n) {
-    if (kept[n]) nodes.push_back(graph.nodes[n]);
-  }
-  graph.nodes = std::move(nodes);
-  std::erase_if(graph.edges, [&](const GraphEdge& edge) {
-    return !kept[static_cast<std::size_t>(edge.from)] || !kept[static_cast<std::size_t>(edge.to)];
-  });
-  for (GraphEdge& edge : graph.edges) {
-    edge.from = number[static_cast<std::size_t>(edge.from)];
-    edge.to = number[static_cast<std::size_t>(edge.to)];
-  }
-  drop_unused_transitions(graph);
-}
-
 // Whether nothing but its take leads to a node and away from it.
 std::vector<bool> goes_straight_on(const MotionGraph& graph) {
   std::vector<int> in(graph.nodes.size(), 0), out(graph.nodes.size(), 0);
@@ -124,6 +107,23 @@ void cut_at(std::vector<Passage> passages, MotionGraph& graph) {
     graph.transitions.push_back(std::move(passage.transition));
   }
   sort_edges(graph);
+}
+
+void keep_nodes(const std::vector<bool>& kept, MotionGraph& graph) {
+  const std::vector<int> number = renumbered(kept);
+  std::vector<GraphNode> nodes;
+  for (std::size_t n = 0; n < kept.size(); ++n) {
+    if (kept[n]) nodes.push_back(graph.nodes[n]);
+  }
+  graph.nodes = std::move(nodes);
+  std::erase_if(graph.edges, [&](const GraphEdge& edge) {
+    return !kept[static_cast<std::size_t>(edge.from)] || !kept[static_cast<std::size_t>(edge.to)];
+  });
+  for (GraphEdge& edge : graph.edges) {
+    edge.from = number[static_cast<std::size_t>(edge.from)];
+    edge.to = number[static_cast<std::size_t>(edge.to)];
+  }
+  drop_unused_transitions(graph);
 }
 
 MotionGraph part_of(const MotionGraph& graph, const std::vector<bool>& kept) {

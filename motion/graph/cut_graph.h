@@ -16,8 +16,10 @@ struct Passage {
 // Gives `graph`, which has takes and nothing else, its nodes, edges and transitions.
 void cut_at(std::vector<Passage> passages, MotionGraph& graph);
 
-// The graph of these nodes alone (one value for each node): edges between them, and the
+// Leaves these nodes alone (one value for each node), with the edges between them and the
 // transitions of these edges.
+void keep_nodes(const std::vector<bool>& kept, MotionGraph& graph);
+// The same of a copy.
 MotionGraph part_of(const MotionGraph& graph, const std::vector<bool>& kept);
 
 // Where a take merely goes on, there is nothing to choose: its two edges become one.

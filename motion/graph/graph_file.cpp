@@ -1,5 +1,6 @@
 #include "motion/graph/graph_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "motion/skeleton_bytes.h"
@@ -128,6 +129,9 @@ GraphTake read_take(ByteReader& in, const Take& model) {
   one.take.first_frame = read_frame_number(in);
   one.take.poses = read_poses(in, model.skeleton.joints.size(), Precision::double_);
   if (one.take.poses.empty()) in.fail("has a take without frames");
+  if (one.take.poses.size() > static_cast<std::size_t>(INT32_MAX - one.take.first_frame)) {
+    in.fail("has a frame number out of range");
+  }
   return one;
 }
 
@@ -221,6 +225,11 @@ void read_parts(ByteReader& in, MotionGraph& graph) {
   }
   const std::size_t edges = in.count(16);
   for (std::size_t e = 0; e < edges; ++e) graph.edges.push_back(read_edge(in, graph));
+  std::vector<bool> leads_on(nodes, false);
+  for (const GraphEdge& edge : graph.edges) leads_on[static_cast<std::size_t>(edge.from)] = true;
+  if (std::find(leads_on.begin(), leads_on.end(), false) != leads_on.end()) {
+    in.fail("has a place from which no way leads on");
+  }
 }
 
 }  // namespace
@@ -238,7 +247,7 @@ MotionGraph graph_from_bytes(std::string_view bytes, const std::string& file) {
   graph.options = read_options(in);
   graph.threshold_m = read_finite(in);
   graph.frame_time = read_finite(in);
-  if (graph.frame_time <= 0) in.fail("has frames that take no time");
+  if (graph.frame_time < 1e-4 || graph.frame_time > 1) in.fail("has frames of impossible length");
   graph.window = read_frame_number(in);
   read_takes(in, graph);
   read_parts(in, graph);

@@ -12,6 +12,8 @@
 namespace promenade::motion {
 namespace {
 
+constexpr double most_frames = 1e6;  // of a take that is brought to another rate
+
 struct LoadedTake {
   const TakeSource* source;
   Take take;
@@ -58,11 +60,21 @@ class GraphTakeLoader {
       ReadTake read = read_take(source, options_.read);
       result_.warnings.insert(result_.warnings.end(), read.warnings.begin(), read.warnings.end());
       Take take = without_t_pose(std::move(read), source);
-      if (options_.rate) take = resampled(take, 1 / *options_.rate);
+      if (options_.rate) {
+        check_length(take, source);
+        take = resampled(take, 1 / *options_.rate);
+      }
       loaded_.push_back({&source, std::move(take)});
     } catch (const InputError& error) {
       problems_.insert(problems_.end(), error.problems().begin(), error.problems().end());
     }
+  }
+
+  void check_length(const Take& take, const TakeSource& source) const {
+    const double frames = take.frames() * take.frame_time * *options_.rate;
+    if (frames <= most_frames) return;
+    throw InputError(source.file, "would have " + short_number(frames, 3) +
+                                      " frames at that rate; ask for a lower one");
   }
 
   void check_rates() {

@@ -51,10 +51,15 @@ int walk_frames(const MotionGraph& graph, const std::vector<int>& edges) {
 
 PlanarMove start_at_origin(const MotionGraph& graph, const std::vector<int>& edges) {
   if (edges.empty()) return {};
-  const Take walk = walk_take(graph, {edges, {}});
-  const Eigen::Vector3d from = walk.poses.front().root;
   // Half a second shows where somebody goes, and not how the pelvis sways.
   const auto ahead = static_cast<std::size_t>(std::lround(0.5 / graph.frame_time));
+  std::vector<int> first;
+  for (std::size_t e = 0, frames = 0; e < edges.size() && frames <= ahead; ++e) {
+    first.push_back(edges[e]);
+    frames += static_cast<std::size_t>(graph.edge(edges[e]).frames);
+  }
+  const Take walk = walk_take(graph, {first, {}});
+  const Eigen::Vector3d from = walk.poses.front().root;
   const Eigen::Vector3d way = walk.poses[std::min(ahead, walk.poses.size() - 1)].root - from;
   const double theta = std::hypot(way.x(), way.z()) > 1e-6 ? -std::atan2(way.x(), way.z()) : 0;
   return after({theta, 0, 0}, {0, -from.x(), -from.z()});

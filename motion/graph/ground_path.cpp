@@ -52,7 +52,8 @@ Vector2d corner(const Matrix2Xd& corners, Eigen::Index i) {
 std::optional<std::string> trouble_with_path(const Matrix2Xd& points) {
   if (points.cols() < 2) return "a path needs at least two points";
   if (!points.allFinite()) return "the points of a path are numbers of metres";
-  if (without_repeats(points).cols() < 2) return "all points of the path lie in one place";
+  const Eigen::Vector2d size = points.rowwise().maxCoeff() - points.rowwise().minCoeff();
+  if (size.norm() < least_path_m) return "all points of the path lie in one place";
   return {};
 }
 

@@ -12,6 +12,8 @@ namespace promenade::motion {
 // numbers, or all in one place. Nothing: they are a path.
 std::optional<std::string> trouble_with_path(const Eigen::Matrix2Xd& points);
 
+inline constexpr double least_path_m = 0.01;  // across; what is smaller is a place
+
 class GroundPath {
  public:
   // Throws an InputError that names `source` where there is trouble_with_path(). Points in the

@@ -21,6 +21,7 @@ constexpr double price_beyond = 500;
 constexpr double most_luck = 0.01;
 // So long a walk is looked at as a whole; of a longer one its first half is kept.
 constexpr double horizon_s = 20;
+constexpr double most_cells = 2e7;  // frames times nodes: 240 MB
 
 // The label that is wanted at each frame.
 std::vector<int> wanted_frames(const MotionGraph& graph, const std::vector<WantedLabel>& wanted) {
@@ -58,8 +59,7 @@ class LabelPlan {
   LabelWalk walk() {
     LabelWalk found;
     const int all = static_cast<int>(frames_.size());
-    const int horizon =
-        std::max(static_cast<int>(std::lround(horizon_s / graph_.frame_time)), longest_edge() + 1);
+    const int horizon = horizon_frames();
     int from = 0, node = -1;
     while (from < all) {
       const std::vector<int> edges = plan(from, std::min(from + horizon, all), node);
@@ -80,10 +80,10 @@ class LabelPlan {
  private:
   const GraphEdge& edge(int e) const { return graph_.edge(e); }
 
-  int longest_edge() const {
-    int most = 0;
-    for (const GraphEdge& one : graph_.edges) most = std::max(most, one.frames);
-    return most;
+  int horizon_frames() const {
+    const double frames = std::min(horizon_s / graph_.frame_time,
+                                   most_cells / static_cast<double>(graph_.nodes.size()));
+    return std::max(static_cast<int>(frames), 2);
   }
 
   // For each wanted label, in how many of the first f frames another entry with the same label

@@ -22,8 +22,8 @@ struct LabelWalk {
 
 // Shows each label for its seconds, one after the other, with as few frames of other labels than
 // the one wanted then as can be: of all walks over the graph, by dynamic programming over its
-// nodes and frames, 20 s at a time (ours). Of walks that are equal in that, the one with the fewest
-// and most alike transitions, but for a little luck, by the seed.
+// nodes and frames, 20 s at a time, less in graphs of many nodes (ours). Of walks that are equal in
+// that, the one with the fewest and most alike transitions, but for a little luck, by the seed.
 // Throws an InputError where no edge has a label.
 LabelWalk walk_through_labels(const MotionGraph& graph, const std::vector<WantedLabel>& wanted,
                               std::uint64_t seed);

@@ -48,7 +48,6 @@ struct Matches {
   int window = 0;            // frames
   int minima = 0;            // local minima of all maps, below the threshold or not
   double threshold_m = 0;    // that was used, also where a quantile asked for it
-  double least_m = 0;        // the least rms of all minima, also beyond the threshold
 };
 
 // All pairs of takes, each with itself too, on all cores: the result depends on nothing but the

@@ -11,6 +11,8 @@
 namespace promenade::motion {
 namespace {
 
+constexpr int most_matches = 100'000;  // some gigabytes of transitions
+
 using Progress = std::function<bool(const std::string&, double)>;
 
 [[noreturn]] void stop() {
@@ -67,10 +69,11 @@ std::vector<std::string> make_transitions(const std::vector<GraphTake>& takes,
                                       footed[static_cast<std::size_t>(passages[p].to_take)],
                                       placed.frames, placed.move);
     placed.move = made.move;
-    placed.poses = std::move(made.poses);
-    round_to_single(placed.poses);
     placed.quality = made.quality;
     refusals[p] = std::move(made.refusal);
+    if (!refusals[p].empty()) return;
+    placed.poses = std::move(made.poses);
+    round_to_single(placed.poses);
   };
   const bool finished = for_each_piece(static_cast<int>(passages.size()), make, [&](double share) {
     return !progress || progress("making transitions", share);
@@ -95,7 +98,7 @@ void drop_refused(const std::vector<std::string>& refusals, std::vector<Passage>
 }
 
 void prune(MotionGraph& graph) {
-  graph = part_of(graph, largest_component(digraph_of(graph)));
+  keep_nodes(largest_component(digraph_of(graph)), graph);
   join_straight_nodes(graph);
 }
 
@@ -126,12 +129,13 @@ std::string trouble_of(const BuiltGraph& built, const Matches& matches) {
            " frames give none; use longer takes or a shorter window";
   }
   if (statistics.matches == 0) {
-    return "has no two moments within " + metres(matches.threshold_m) + "; the closest are " +
-           metres(matches.least_m) + " apart: raise the threshold";
+    return "has no two moments within " + metres(matches.threshold_m) + "; raise the threshold";
   }
   if (statistics.refused == 2 * statistics.matches) {
-    return "has no transition that can be used; of the best it is said: " +
-           built.refusals.front().reason;
+    const auto best =
+        std::min_element(built.refusals.begin(), built.refusals.end(),
+                         [](const auto& a, const auto& b) { return a.rms_m < b.rms_m; });
+    return "has no transition that can be used; of the best it is said: " + best->reason;
   }
   return "has transitions but no way back along them, so no walk goes on; raise the threshold or "
          "add takes";
@@ -160,6 +164,11 @@ BuiltGraph build_graph(std::vector<GraphTake> takes, const MatchOptions& options
   built.statistics.minima = matches.minima;
   built.statistics.matches = static_cast<int>(matches.found.size());
 
+  if (built.statistics.matches > most_matches) {
+    built.trouble = "has " + std::to_string(matches.found.size()) +
+                    " moments that are alike, more than a graph can hold; lower the threshold";
+    return built;
+  }
   std::vector<Passage> passages = offered(matches);
   drop_refused(make_transitions(graph.takes, passages, progress), passages, built);
   built.statistics.refused = static_cast<int>(built.refusals.size());

@@ -125,14 +125,17 @@ PathWalk walk_along(const MotionGraph& graph, const std::vector<EdgeWay>& ways,
   if (broad.found.stopped || broad.found.edges.empty()) return measured(graph, objective, broad);
   // Whatever costs more already need not be searched to its end.
   const BeamProgress told = telling_beside(broad, 2, path, progress);
+  bool cut_short = false;
   const auto still_better = [&](const FoundWalk& found) {
-    return found.end.cost <= broad.found.end.cost && (!told || told({broad.start, found}));
+    cut_short = told && !told({broad.start, found});
+    return !cut_short && found.end.cost <= broad.found.end.cost;
   };
   const BeamWalk deep{broad.start,
                       search.whole_walk({broad.start, broad.found.edges}, how, still_better)};
   const bool better = deep.found.end.done && deep.found.end.cost <= broad.found.end.cost;
   PathWalk walk = measured(graph, objective, better ? deep : broad);
   walk.complete = deep.found.complete && better;
+  walk.stopped = cut_short;
   walk.visited = deep.found.visited + broad.found.visited;
   return walk;
 }

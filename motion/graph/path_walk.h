@@ -38,8 +38,8 @@ struct PathWalk {
   double cost_m2 = 0;                // sum of squares over these frames
   double rms_m = 0, farthest_m = 0;  // from the wanted points
   int other_label = 0;               // frames that do not have the label of their part
-  bool complete = true;              // every horizon was searched to its end
-  bool stopped = false;              // by `progress`: the walk ends before the path does
+  bool complete = true;  // no other walk is better within any horizon: each was searched to its end
+  bool stopped = false;  // by `progress`: the best until then, which may end before the path does
   std::int64_t visited = 0;
 };
 

@@ -32,8 +32,7 @@ class Beam {
         go_on(chosen(std::exchange(levels_[level_], {})));
       }
       levels_[level_] = {};
-      stopped_ =
-          progress && furthest_ && level_ % 16 == 15 && !progress(walk_to(*furthest_, starts));
+      stopped_ = progress && furthest_ && level_ % 4 == 3 && !progress(walk_to(*furthest_, starts));
     }
     if (done_) return walk_to(*done_, starts);
     return stopped_ && furthest_ ? walk_to(*furthest_, starts) : BeamWalk{};

@@ -37,6 +37,8 @@ TEST(PathCsv, BrokenTablesAreRefusedWithTheirPlaces) {
       {"x,z\n0,nan\n", "way.csv:2:3: error: 'nan' is no place in metres"},
       {"x,z\n0\n", "way.csv:2:1: error: '' is no place in metres"},
       {"x,z\n1e9,0\n", "way.csv:2:1: error: '1e9' is no place in metres"},
+      {"x,z\n0,0\n1,5,2,0\n", "way.csv:3:5: error: there are more cells than columns"},
+      {"x,z\n0,0\n0,600\n0,0\n", "way.csv:4:1: error: the path is longer than a kilometre here"},
       {"x,z\n1;2,0\n", "way.csv:2:1: error: '1;2' is no place in metres"},
   };
   for (const auto& [text, trouble] : broken) {
