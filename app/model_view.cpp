@@ -27,29 +27,10 @@ std::vector<std::string> shown_words(const ModelEditor& editor) {
 
 ModelView::ModelView(ModelEditor& editor, Gui& gui, InputQueue& queue,
                      std::function<void(const study::AdjectiveModel&)> save)
-    : editor_(editor), gui_(gui), queue_(queue), save_(std::move(save)) {}
+    : editor_(editor), page_(gui, queue), save_(std::move(save)) {}
 
 void ModelView::frame() {
-  constexpr int most = 64;  // whoever types faster waits for the next frame
-  pass();
-  for (int k = 1; k < most && !queue_.empty(); ++k) pass();
-}
-
-void ModelView::pass() {
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = 1.0f / 60;
-  queue_.feed(io);
-  ImGui::NewFrame();
-  focus_.begin(widgets_);
-  widgets_.clear();
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize(io.DisplaySize);
-  ImGui::Begin("model", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground);
-  draw({gui_.look(), gui_.layout(), widgets_, focus_});
-  ImGui::End();
-  ImGui::Render();
+  page_.frame([this](const Ui& ui) { draw(ui); });
 }
 
 void ModelView::draw(const Ui& ui) {

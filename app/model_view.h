@@ -5,11 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "app/focus.h"
-#include "app/gui.h"
 #include "app/model_editor.h"
-#include "app/widgets.h"
-#include "app/window/input_queue.h"
+#include "app/tool_page.h"
 
 namespace promenade::app {
 
@@ -25,11 +22,10 @@ class ModelView {
 
   // Draws until nothing waits in the queue.
   void frame();
-  const WidgetMap& widgets() const { return widgets_; }
+  const WidgetMap& widgets() const { return page_.widgets(); }
   const std::string& said() const { return said_; }  // about the last Save
 
  private:
-  void pass();
   void draw(const Ui& ui);
   void draw_head(const Ui& ui);
   void draw_tree(const Ui& ui);
@@ -45,11 +41,8 @@ class ModelView {
   Box row_box(const Box& box, double row) const;
 
   ModelEditor& editor_;
-  Gui& gui_;
-  InputQueue& queue_;
+  ToolPage page_;
   std::function<void(const study::AdjectiveModel&)> save_;
-  WidgetMap widgets_;
-  Focus focus_;
   float row_ = 17;    // pixels, of a leaf
   int renamed_ = -1;  // the cluster whose name is being written
   std::string text_;  // what was written

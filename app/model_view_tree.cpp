@@ -118,7 +118,7 @@ void ModelView::draw_names(const Ui& ui, const Box& box) {
     if (editor_.model() && pressed_area(ui, "rename", std::to_string(c), name)) {
       renamed_ = c;
       text_ = editor_.names()[static_cast<std::size_t>(c)];
-      focus_.write_in("write", "name");
+      page_.focus().write_in("write", "name");
       continue;
     }
     draw_line(ui.look.fonts.bold, name, colour, editor_.names()[static_cast<std::size_t>(c)]);
@@ -145,15 +145,15 @@ void ModelView::draw_field(const Ui& ui, const Box& box) {
              {box.x + ui.layout.size(10), middle.middle_y() - high / 2,
               box.width - ui.layout.size(12), high},
              text_, {.hint = "name", .entered = &entered});
-  const bool left = !entered && !focus_.on("write", "name");
+  const bool left = !entered && !page_.focus().on("write", "name");
   if (key_pressed(ImGuiKey_Escape, false)) {
-    focus_.use_escape();
+    page_.focus().use_escape();
     renamed_ = -1;
   } else if (entered || left) {
     if (!text_.empty()) editor_.rename(renamed_, text_);
     said_.clear();
     renamed_ = -1;
-    if (entered) focus_.leave();
+    if (entered) page_.focus().leave();
   }
 }
 

@@ -52,33 +52,16 @@ std::vector<std::string> shown_words(const motion::MotionGraph& graph) {
 
 PathView::PathView(const PathScene& scene, Gui& gui, InputQueue& queue,
                    std::function<void(const motion::Take&)> save)
-    : scene_(scene), gui_(gui), queue_(queue), save_(std::move(save)), colours_(scene.graph) {
+    : scene_(scene), page_(gui, queue), save_(std::move(save)), colours_(scene.graph) {
   choices_.emplace_back();
   for (const std::string& label : colours_.labels()) choices_.push_back(label);
 }
 
 void PathView::frame() {
-  constexpr int most = 64;  // whoever types faster waits for the next frame
-  pass();
-  for (int k = 1; k < most && !queue_.empty(); ++k) pass();
-}
-
-void PathView::pass() {
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = 1.0f / 60;
-  queue_.feed(io);
-  ImGui::NewFrame();
-  focus_.begin(widgets_);
-  widgets_.clear();
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize(io.DisplaySize);
-  ImGui::Begin("path", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoBackground);
-  follow();
-  draw({gui_.look(), gui_.layout(), widgets_, focus_});
-  ImGui::End();
-  ImGui::Render();
+  page_.frame([this](const Ui& ui) {
+    follow();
+    draw(ui);
+  });
 }
 
 // What is wanted is asked for, and what was found is walked.
@@ -88,14 +71,12 @@ void PathView::follow() {
   if (news == nullptr) return;
   walked_ = news;
   way_ = way_of(*news->motion);
-  share_ = news->share;
   scene_.stage.walk(news->motion, news->result.has_value());
 }
 
 void PathView::ask() {
   revision_ = scene_.drawing.revision();
   wanted_ = scene_.drawing.wanted();
-  share_ = 0;
   said_.clear();
   if (wanted_) return scene_.worker.start(*wanted_);
   scene_.worker.forget();
@@ -175,7 +156,7 @@ void PathView::draw_picture(const Ui& ui, const GroundPlan& plan, const PlaneTou
   if (!scene_.stage.wandering()) {
     picture.draw_walker(scene_.stage.place(), scene_.stage.heading());
   }
-  if (touch.focused && focus_.ring()) picture.draw_cursor(cursor_);
+  if (touch.focused && page_.focus().ring()) picture.draw_cursor(cursor_);
   picture.draw_scale();
   ImGui::PopClipRect();
   app::frame(box, ui.look.palette.line, ui.layout.size(1));
@@ -351,12 +332,12 @@ void PathView::draw_progress(const Ui& ui, const Box& box) {
   const Box bar{box.x, box.y + ui.layout.size(10), stop.x - box.x - ui.layout.size(16),
                 ui.layout.size(12)};
   fill(bar, palette.track);
-  fill({bar.x, bar.y, std::round(static_cast<float>(share_) * bar.width), bar.height},
+  const double share = scene_.worker.share();
+  fill({bar.x, bar.y, std::round(static_cast<float>(share) * bar.width), bar.height},
        palette.created);
   if (button(ui, "stop", stop, "Stop", ButtonKind::outlined)) scene_.worker.stop();
-  const double wanted_m = wanted_ ? wanted_->length : 0;
   draw_text(ui.look.fonts.text, {box.x, box.y + high, box.width, box.height - high}, palette.text,
-            fmt::format("Looking for a walk: {:.1f} m of {:.1f} m", share_ * wanted_m, wanted_m));
+            fmt::format("Looking for the best walk: {:.0f} %", 100 * share));
 }
 
 void PathView::draw_foot(const Ui& ui) {

@@ -7,12 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "app/focus.h"
-#include "app/gui.h"
 #include "app/path_picture.h"
 #include "app/path_stage.h"
 #include "app/path_worker.h"
-#include "app/window/input_queue.h"
+#include "app/tool_page.h"
 
 namespace promenade::app {
 
@@ -35,14 +33,13 @@ class PathView {
 
   // Draws until nothing waits in the queue.
   void frame();
-  const WidgetMap& widgets() const { return widgets_; }
+  const WidgetMap& widgets() const { return page_.widgets(); }
   const GroundSight& sight() const { return sight_; }
   const std::shared_ptr<const WalkedPath>& walked() const { return walked_; }  // null: nothing yet
   std::string words() const;  // what stands below the styles
-  const Focus& focus() const { return focus_; }
+  const Focus& focus() const { return page_.focus(); }
 
  private:
-  void pass();
   void follow();
   void ask();
   void draw(const Ui& ui);
@@ -70,13 +67,10 @@ class PathView {
   std::vector<DrawnCorner> corners_in_sight(const GroundPlan& plan, const PlaneTouch& touch) const;
 
   PathScene scene_;
-  Gui& gui_;
-  InputQueue& queue_;
+  ToolPage page_;
   std::function<void(const motion::Take&)> save_;
   StyleColours colours_;
   std::vector<std::string> choices_;  // any style, and those of the graph
-  WidgetMap widgets_;
-  Focus focus_;
   GroundSight sight_;
   Eigen::Vector2d cursor_ = Eigen::Vector2d::Zero();  // of the keyboard, metres
   std::optional<Eigen::Vector2f> pressed_at_;         // pixels, while the button is down
@@ -84,7 +78,6 @@ class PathView {
   std::optional<WantedPath> wanted_;
   std::shared_ptr<const WalkedPath> walked_;
   WalkedWay way_;
-  double share_ = 0;  // of the path, that the search has
   std::string said_;  // about the last Save
   bool failed_ = false;
 };
