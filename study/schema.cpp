@@ -147,6 +147,18 @@ void make_missing_tables(Database& database) { database.exec(tables_sql); }
 
 int version_of(Database& database) { return static_cast<int>(pragma(database, "user_version")); }
 
+bool is_blank(Database& database) {
+  try {
+    Statement statement(database,
+                        "SELECT 1 FROM pragma_application_id, pragma_user_version WHERE "
+                        "application_id = 0 AND user_version = 0 AND "
+                        "NOT EXISTS (SELECT 1 FROM sqlite_schema)");
+    return statement.step();
+  } catch (const DatabaseError&) {
+    return false;  // no database; whoever looks closer says so
+  }
+}
+
 bool is_damaged(Database& database, const std::vector<std::string>& tables) {
   Statement check(database, "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") return true;
