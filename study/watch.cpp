@@ -4,7 +4,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <set>
 
 #include "study/migrate.h"
 #include "study/schema.h"
@@ -18,6 +17,7 @@ namespace promenade::study {
 namespace {
 
 constexpr int timed_people = 3;
+constexpr int listed_h = 12;  // since the end of a session
 
 std::int64_t nanoseconds(const timespec& time) {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
@@ -215,9 +215,9 @@ void Watch::read_sessions(Database& database, const std::string& now_utc) {
                 "coalesce(process, 0), coalesce(process_start, ''), coalesce(alive_us, 0) "
                 "FROM session JOIN participant ON participant.uuid = session.participant "
                 "WHERE outcome = 'running' OR process IS NOT NULL OR "
-                "ended_utc >= strftime('%Y-%m-%dT%H:%M:%SZ', ?, '-12 hours') "
+                "ended_utc >= strftime('%Y-%m-%dT%H:%M:%SZ', ?, ?) "
                 "ORDER BY started_utc, session.rowid");
-  row.bind(1, now_utc);
+  row.bind(1, now_utc).bind(2, fmt::format("-{} hours", listed_h));
   listed_.clear();
   while (row.step()) {
     std::unique_ptr<FollowedSession>& session = known_[row.text(0)];
@@ -242,7 +242,8 @@ void Watch::plan(Database& database, FollowedSession& session) {
 void Watch::tell(const std::string& now_utc) {
   now_.sessions.clear();
   for (const std::string& uuid : listed_) {
-    now_.sessions.push_back(told_of(*known_.at(uuid), now_utc));
+    WatchedSession told = told_of(*known_.at(uuid), now_utc);
+    if (told.ended_s <= 3600 * listed_h) now_.sessions.push_back(std::move(told));
   }
   std::stable_sort(now_.sessions.begin(), now_.sessions.end(), comes_before);
 }

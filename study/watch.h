@@ -29,10 +29,10 @@ struct WatchedTrial {
   int position = 0;  // in the plan, from 1
   int attempt = 1;
   bool practice = false;
-  std::string task, interface, target;           // names; no interface in rate tasks
-  std::optional<double> limit_s, threshold_m;    // nothing: there is none
-  double seconds = 0;                            // since it began, without pauses
-  std::optional<double> left_s() const;          // of the limit
+  std::string task, interface, target;         // names; no interface in rate tasks
+  std::optional<double> limit_s, threshold_m;  // nothing: there is none
+  double seconds = 0;                          // since it began, without pauses
+  std::optional<double> left_s() const;        // of the limit
   struct Shown {
     double seconds = 0, d = 0;  // d: metres
   };
@@ -64,11 +64,11 @@ struct WatchedSession {
 };
 
 struct Watched {
-  std::string problem;  // why nothing new can be read, a sentence; empty: all is well
-  bool is_input_error = false;        // the problem: the file is no database that can be watched
-  std::string study, version;         // of the newest version
-  int planned = 0;                    // participants; 0: not said
-  int finished = 0;                   // participants, neither pilot nor simulated
+  std::string problem;          // why nothing new can be read, a sentence; empty: all is well
+  bool is_input_error = false;  // the problem: the file is no database that can be watched
+  std::string study, version;   // of the newest version
+  int planned = 0;              // participants; 0: not said
+  int finished = 0;             // participants, neither pilot nor simulated
   int finished_pilot = 0, finished_simulated = 0;
   // Those that run, by start; then those that wait to be resumed, and those that ended in the
   // last 12 hours, the latest first.
@@ -108,9 +108,9 @@ class Watch {
   Stamp stamp_;        // when it was read
   bool calm_ = false;  // it was read once more since it has changed
   std::map<std::string, std::unique_ptr<FollowedSession>> known_;  // by uuid
-  std::vector<std::string> listed_;               // uuids, by start
-  std::map<std::string, std::unique_ptr<StudyBundle>> studies_;  // null: it cannot be read
-  std::string newest_;                                           // uuid of a study
+  std::vector<std::string> listed_;                                // uuids, by start
+  std::map<std::string, std::unique_ptr<StudyBundle>> studies_;    // null: it cannot be read
+  std::string newest_;                                             // uuid of a study
   Watched now_;
 };
 

@@ -82,9 +82,10 @@ void read_events(Database& database, FollowedSession& session) {
 }
 
 void read_trial(Database& database, FollowedTrial& trial) {
-  Statement row(database,
-                "SELECT position, attempt, practice, task, interface, target, limit_s, threshold_m, "
-                "started_us, d_first, ended_us FROM trial WHERE uuid = ?");
+  Statement row(
+      database,
+      "SELECT position, attempt, practice, task, interface, target, limit_s, threshold_m, "
+      "started_us, d_first, ended_us FROM trial WHERE uuid = ?");
   if (!row.bind(1, trial.uuid).step()) return;
   WatchedTrial& told = trial.told;
   told.position = static_cast<int>(row.integer(0));
@@ -186,8 +187,7 @@ WatchedSession told_of(const FollowedSession& session, const std::string& now_ut
   if (since_start_s) {
     told.silent_s = std::max(0.0, static_cast<double>(*since_start_s) - alive_s - session.gaps_s);
   }
-  told.still_s =
-      told.silent_s + 1e-6 * static_cast<double>(session.alive_us - session.event_us);
+  told.still_s = told.silent_s + 1e-6 * static_cast<double>(session.alive_us - session.event_us);
   if (told.state == WatchedState::ended) {
     const auto since_end_s = seconds_between(told.ended_utc, now_utc);
     told.ended_s = static_cast<double>(std::max<std::int64_t>(0, since_end_s.value_or(0)));

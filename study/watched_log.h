@@ -17,7 +17,7 @@ struct FollowedTrial {
   struct Stand {
     std::int64_t from_us = 0, length_us = 0;
   };
-  std::vector<Stand> stands;  // pauses that are over
+  std::vector<Stand> stands;               // pauses that are over
   std::int64_t last_row = 0, last_us = 0;  // of the samples that were read
 
   double seconds_at(std::int64_t t_us) const;  // without the pauses
