@@ -88,14 +88,12 @@ void PathView::follow() {
   if (news == nullptr) return;
   walked_ = news;
   way_ = way_of(*news->motion);
-  share_ = news->share;
   scene_.stage.walk(news->motion, news->result.has_value());
 }
 
 void PathView::ask() {
   revision_ = scene_.drawing.revision();
   wanted_ = scene_.drawing.wanted();
-  share_ = 0;
   said_.clear();
   if (wanted_) return scene_.worker.start(*wanted_);
   scene_.worker.forget();
@@ -351,12 +349,12 @@ void PathView::draw_progress(const Ui& ui, const Box& box) {
   const Box bar{box.x, box.y + ui.layout.size(10), stop.x - box.x - ui.layout.size(16),
                 ui.layout.size(12)};
   fill(bar, palette.track);
-  fill({bar.x, bar.y, std::round(static_cast<float>(share_) * bar.width), bar.height},
+  const double share = scene_.worker.share();
+  fill({bar.x, bar.y, std::round(static_cast<float>(share) * bar.width), bar.height},
        palette.created);
   if (button(ui, "stop", stop, "Stop", ButtonKind::outlined)) scene_.worker.stop();
-  const double wanted_m = wanted_ ? wanted_->length : 0;
   draw_text(ui.look.fonts.text, {box.x, box.y + high, box.width, box.height - high}, palette.text,
-            fmt::format("Looking for a walk: {:.1f} m of {:.1f} m", share_ * wanted_m, wanted_m));
+            fmt::format("Looking for the best walk: {:.0f} %", 100 * share));
 }
 
 void PathView::draw_foot(const Ui& ui) {

@@ -84,7 +84,6 @@ class PathView {
   std::optional<WantedPath> wanted_;
   std::shared_ptr<const WalkedPath> walked_;
   WalkedWay way_;
-  double share_ = 0;  // of the path, that the search has
   std::string said_;  // about the last Save
   bool failed_ = false;
 };

@@ -43,6 +43,7 @@ void PathWorker::ask(std::optional<WantedPath> path) {
   const std::lock_guard lock(mutex_);
   ++newest_;
   stopped_ = false;
+  share_ = 0;
   working_ = path.has_value();
   news_.reset();
   trouble_.clear();
@@ -87,7 +88,7 @@ void PathWorker::work(const Job& job, const std::stop_token& ended) {
   try {
     motion::PathWalk found = search(job, ended);
     if (found.walk.edges.empty()) return finish(job, "Stopped before a walk was found");
-    publish(job, {motion_of(graph_, found), 1, std::move(found)});
+    publish(job, {motion_of(graph_, found), std::move(found)});
     finish(job, "");
   } catch (const InputError& error) {
     finish(job, error.problems().front().message);
@@ -98,9 +99,14 @@ motion::PathWalk PathWorker::search(const Job& job, const std::stop_token& ended
   if (ways_.empty()) ways_ = motion::edge_ways(*graph_, motion::edge_courses(*graph_));
   motion::PathWalkOptions options = options_;
   options.parts = job.path.parts;
+  std::vector<int> published;
   const auto heard = [&](const motion::GraphWalk& walk, double share) {
+    if (job.number == newest_) share_ = share;
     // What nobody has looked at yet is not worth a new motion.
-    if (!walk.edges.empty() && told()) publish(job, {motion_of(graph_, walk), share, {}});
+    if (!walk.edges.empty() && walk.edges != published && told()) {
+      publish(job, {motion_of(graph_, walk), {}});
+      published = walk.edges;
+    }
     return !ended.stop_requested() && !stopped_ && job.number == newest_;
   };
   return motion::walk_along(*graph_, ways_, motion::GroundPath(job.path.points), options, heard);

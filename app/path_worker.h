@@ -16,7 +16,6 @@ namespace promenade::app {
 // The best walk along a path so far.
 struct WalkedPath {
   std::shared_ptr<const study::Stimulus> motion;  // its take lies in the world of the path
-  double share = 0;                               // of the path, 0 to 1
   std::optional<motion::PathWalk> result;  // the search is over: to its end, or it was stopped
 };
 
@@ -33,6 +32,7 @@ class PathWorker {
   void stop();                  // the best so far is the answer
   void forget();                // nothing is asked for any more
   bool working() const { return working_; }
+  double share() const { return share_; }  // of the work that is done, 0 to 1
   // What is better than all that was told before; null: nothing is.
   std::shared_ptr<const WalkedPath> news();
   std::string trouble() const;  // why there is no walk; empty: nothing is wrong
@@ -62,6 +62,7 @@ class PathWorker {
   // What the search asks often, without the mutex.
   std::atomic<int> newest_ = 0;  // the number of the last job
   std::atomic<bool> stopped_ = false, working_ = false;
+  std::atomic<double> share_ = 0;
   std::jthread thread_;  // last: it uses all the others
 };
 

@@ -95,9 +95,8 @@ std::string describe_parts(const Stimulus& stimulus) {
 
 int count_transitions(const Stimulus& stimulus) {
   return static_cast<int>(
-      std::count_if(stimulus.edges.begin(), stimulus.edges.end(), [&](int edge) {
-        return stimulus.graph->edges[static_cast<std::size_t>(edge)].transition >= 0;
-      }));
+      std::count_if(stimulus.edges.begin(), stimulus.edges.end(),
+                    [&](int edge) { return stimulus.graph->edge(edge).transition >= 0; }));
 }
 
 Eigen::VectorXd felt_of(const Stimulus& stimulus, const StudyBundle& bundle) {

@@ -107,11 +107,9 @@ void draw_matches(Svg& svg, const Paper& paper, const motion::BuiltGraph& built)
   }
   for (const motion::GraphEdge& edge : built.graph.edges) {
     if (edge.transition < 0) continue;
-    const auto take = [&](int node) {
-      return built.graph.nodes[static_cast<std::size_t>(node)].take;
-    };
-    dots(take(edge.from), take(edge.to),
-         built.graph.transitions[static_cast<std::size_t>(edge.transition)].frames, used_colour);
+    const auto take = [&](int node) { return built.graph.node(node).take; };
+    dots(take(edge.from), take(edge.to), built.graph.transition(edge.transition).frames,
+         used_colour);
   }
 }
 

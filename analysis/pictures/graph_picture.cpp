@@ -43,12 +43,12 @@ struct Lines {
     return lines_left + frame * graph.frame_time / seconds * (lines_right - lines_left);
   }
   Vector2d at(int node) const {
-    const GraphNode& where = graph.nodes[static_cast<std::size_t>(node)];
+    const GraphNode& where = graph.node(node);
     return {x(where.frame), y(where.take)};
   }
   const std::string& label(int node) const {
-    const int take = graph.nodes[static_cast<std::size_t>(node)].take;
-    return graph.takes[static_cast<std::size_t>(take)].label;
+    const int take = graph.node(node).take;
+    return graph.take(take).label;
   }
   double bottom() const { return top + static_cast<double>(graph.takes.size()) * row_height; }
 };
@@ -83,7 +83,7 @@ std::vector<const GraphEdge*> drawn_transitions(const MotionGraph& graph) {
     if (edge.transition >= 0) drawn.push_back(&edge);
   }
   const auto rms = [&graph](const GraphEdge* edge) {
-    return graph.transitions[static_cast<std::size_t>(edge->transition)].rms_m;
+    return graph.transition(edge->transition).rms_m;
   };
   std::stable_sort(drawn.begin(), drawn.end(),
                    [&](const GraphEdge* a, const GraphEdge* b) { return rms(a) < rms(b); });
@@ -170,7 +170,7 @@ void draw_matrix(Svg& svg, const Lines& lines) {
 std::string summary(const BuiltGraph& built) {
   const auto& s = built.statistics;
   return fmt::format(
-      "{} nodes, {} transitions; {:.1f} of {:.1f} s of captured motion can be walked on from; "
+      "{} nodes, {} transitions; {:.1f} of {:.1f} s of motion can be walked on from; "
       "RMS below {:.3f} m, {} transitions refused",
       s.nodes, s.transitions, s.seconds_kept, s.frames * built.graph.frame_time,
       built.graph.threshold_m, s.refused);

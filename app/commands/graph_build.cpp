@@ -103,9 +103,7 @@ Json takes_json(const motion::MotionGraph& graph) {
 
 Json refusals_json(const motion::BuiltGraph& built) {
   Json list = Json::array();
-  const auto source = [&](int take) {
-    return built.graph.takes[static_cast<std::size_t>(take)].take.source;
-  };
+  const auto source = [&](int take) { return built.graph.take(take).take.source; };
   for (const motion::RefusedTransition& one : built.refusals) {
     list.push_back({{"from", source(one.from_take)},
                     {"frame", one.frames.i},
@@ -154,7 +152,7 @@ std::string graph_text(const motion::BuiltGraph& built, const std::string& out) 
       "{}: {} takes, {:.1f} s\n"
       "{} places where frames are alike (RMS below {:.4f} m, windows of {} frames)\n"
       "{} transitions of {} can be used, {} are left after pruning\n"
-      "{} nodes, {} edges; walks can show {:.1f} s of the captured motion\n",
+      "{} nodes, {} edges; walks can show {:.1f} s of it\n",
       out, graph.takes.size(), s.frames * graph.frame_time, s.matches, graph.threshold_m,
       graph.window, 2 * s.matches - s.refused, 2 * s.matches, s.transitions, s.nodes, s.edges,
       s.seconds_kept);

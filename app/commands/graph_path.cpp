@@ -6,7 +6,7 @@
 #include "app/commands/graph_parts.h"
 #include "app/path_window.h"
 #include "motion/files.h"
-#include "motion/graph/passages.h"
+#include "motion/graph/graph_labels.h"
 #include "motion/graph/path_walk.h"
 #include "study/path_csv.h"
 

@@ -17,8 +17,8 @@ struct Row {
 };
 
 std::string line_of(const BuiltGraph& built, const Row& row) {
-  const GraphTake& from = built.graph.takes[static_cast<std::size_t>(row.from_take)];
-  const GraphTake& to = built.graph.takes[static_cast<std::size_t>(row.to_take)];
+  const GraphTake& from = built.graph.take(row.from_take);
+  const GraphTake& to = built.graph.take(row.to_take);
   std::vector<std::string> cells = {
       from.take.source, from.label, std::to_string(from.take.first_frame + row.frames.i),
       to.take.source,   to.label,   std::to_string(to.take.first_frame + row.frames.j)};
@@ -39,10 +39,10 @@ std::string transitions_csv(const BuiltGraph& built) {
       study::csv_line({"from_file", "from_label", "from_frame", "to_file", "to_label", "to_frame",
                        "rms_m", "slide_m", "slide_before_cleaning_m", "gap_m", "inside_gap_m",
                        "knee_gap_rad", "inside_knee_gap_rad", "moved_m", "refused"});
-  const auto take = [&](int node) { return graph.nodes[static_cast<std::size_t>(node)].take; };
+  const auto take = [&](int node) { return graph.node(node).take; };
   for (const motion::GraphEdge& edge : graph.edges) {
     if (edge.transition < 0) continue;
-    const auto& one = graph.transitions[static_cast<std::size_t>(edge.transition)];
+    const auto& one = graph.transition(edge.transition);
     text +=
         line_of(built, {take(edge.from), take(edge.to), one.frames, one.rms_m, one.quality, ""});
   }

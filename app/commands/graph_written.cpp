@@ -11,8 +11,8 @@ namespace promenade::app {
 namespace {
 
 Json place_json(const motion::MotionGraph& graph, int number) {
-  const motion::GraphNode& node = graph.nodes[static_cast<std::size_t>(number)];
-  const motion::Take& take = graph.takes[static_cast<std::size_t>(node.take)].take;
+  const motion::GraphNode& node = graph.node(number);
+  const motion::Take& take = graph.take(node.take).take;
   return {{"file", take.source}, {"frame", take.first_frame + node.frame}};
 }
 
@@ -22,7 +22,7 @@ Json edge_json(const motion::MotionGraph& graph, const motion::GraphEdge& edge) 
                {"frames", edge.frames},
                {"transition", edge.transition >= 0}};
   if (edge.transition < 0) return json;
-  const auto& transition = graph.transitions[static_cast<std::size_t>(edge.transition)];
+  const auto& transition = graph.transition(edge.transition);
   json["rms_m"] = transition.rms_m;
   json["slide_m"] = transition.quality.slide_m;
   return json;
@@ -31,7 +31,7 @@ Json edge_json(const motion::MotionGraph& graph, const motion::GraphEdge& edge) 
 int transitions_of(const motion::MotionGraph& graph, const motion::GraphWalk& walk) {
   int count = 0;
   for (const int e : walk.edges) {
-    if (graph.edges[static_cast<std::size_t>(e)].transition >= 0) ++count;
+    if (graph.edge(e).transition >= 0) ++count;
   }
   return count;
 }
@@ -66,7 +66,7 @@ Json walk_json(const motion::MotionGraph& graph, const motion::GraphWalk& walk) 
     parts.push_back({{"label", part.label}, {"from", part.from}, {"to", part.to}});
   }
   for (const int e : walk.edges) {
-    edges.push_back(edge_json(graph, graph.edges[static_cast<std::size_t>(e)]));
+    edges.push_back(edge_json(graph, graph.edge(e)));
   }
   return {{"graph", graph.name},
           {"frames", frames},

@@ -33,9 +33,7 @@ int number_of(const std::vector<GraphNode>& nodes, const GraphNode& node) {
 // Along the take first, then the best transition.
 void sort_edges(MotionGraph& graph) {
   const auto key = [&graph](const GraphEdge& edge) {
-    const double rms = edge.transition < 0
-                           ? -1.0
-                           : graph.transitions[static_cast<std::size_t>(edge.transition)].rms_m;
+    const double rms = edge.transition < 0 ? -1.0 : graph.transition(edge.transition).rms_m;
     return std::tuple(edge.from, rms, edge.to, edge.transition);
   };
   std::sort(graph.edges.begin(), graph.edges.end(),
@@ -145,8 +143,7 @@ void join_straight_nodes(MotionGraph& graph) {
   for (GraphEdge& edge : graph.edges) {
     if (edge.transition >= 0 || straight[static_cast<std::size_t>(edge.from)]) continue;
     while (straight[static_cast<std::size_t>(edge.to)]) {
-      const GraphEdge& next =
-          graph.edges[static_cast<std::size_t>(onward[static_cast<std::size_t>(edge.to)])];
+      const GraphEdge& next = graph.edge(onward[static_cast<std::size_t>(edge.to)]);
       edge.frames += next.frames;
       edge.to = next.to;
     }

@@ -27,7 +27,7 @@ class Surroundings {
         any_from_(graph.nodes.size(), -1),
         most_(std::max(1, static_cast<int>(std::lround(0.5 / graph.frame_time)))) {
     for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) {
-      const GraphEdge& edge = graph.edges[at(e)];
+      const GraphEdge& edge = graph.edge(e);
       if (any_from_[at(edge.from)] < 0) any_from_[at(edge.from)] = e;
       if (edge.transition >= 0) continue;
       along_to_[at(edge.to)] = e;
@@ -54,8 +54,8 @@ class Surroundings {
   // points_: at most half a second before the edge, the edge, and more than that after it.
   void gather(int e) {
     points_.clear();
-    for (int b = along_to_[at(graph_.edges[at(e)].from)]; b >= 0 && missing(most_);
-         b = along_to_[at(graph_.edges[at(b)].from)]) {
+    for (int b = along_to_[at(graph_.edge(e).from)]; b >= 0 && missing(most_);
+         b = along_to_[at(graph_.edge(b).from)]) {
       add_backwards(courses_[at(b)].pelvis);
     }
     std::reverse(points_.begin(), points_.end());
@@ -63,10 +63,10 @@ class Surroundings {
     add(courses_[at(e)].pelvis, {});
     const int all = static_cast<int>(points_.size()) + most_ + 1;
     const PlanarMove& move = courses_[at(e)].move;
-    int node = graph_.edges[at(e)].to;
+    int node = graph_.edge(e).to;
     for (int a = along_from_[at(node)]; a >= 0 && missing(all); a = along_from_[at(node)]) {
       add(courses_[at(a)].pelvis, move);
-      node = graph_.edges[at(a)].to;
+      node = graph_.edge(a).to;
     }
     // Where a take ends, any way on shows where its node is.
     const int on = any_from_[at(node)];

@@ -148,19 +148,19 @@ GraphTransition read_transition(ByteReader& in, std::size_t joints) {
 GraphNode read_node(ByteReader& in, const MotionGraph& graph) {
   GraphNode node;
   node.take = read_index(in, graph.takes.size(), "take");
-  const Take& take = graph.takes[static_cast<std::size_t>(node.take)].take;
+  const Take& take = graph.take(node.take).take;
   node.frame = read_index(in, take.poses.size(), "frame");
   return node;
 }
 
 // Whether an edge shows what is there: frames of its take, or poses of its transition.
 bool makes_sense(const MotionGraph& graph, const GraphEdge& edge) {
-  const GraphNode& from = graph.nodes[static_cast<std::size_t>(edge.from)];
-  const GraphNode& to = graph.nodes[static_cast<std::size_t>(edge.to)];
+  const GraphNode& from = graph.node(edge.from);
+  const GraphNode& to = graph.node(edge.to);
   if (edge.transition < 0) {
     return edge.frames > 0 && from.take == to.take && to.frame - from.frame == edge.frames;
   }
-  const GraphTransition& transition = graph.transitions[static_cast<std::size_t>(edge.transition)];
+  const GraphTransition& transition = graph.transition(edge.transition);
   return edge.frames > 0 && transition.frames.k == edge.frames + 1 &&
          transition.frames.i == from.frame && transition.frames.j == to.frame &&
          transition.poses.size() == static_cast<std::size_t>(edge.frames);

@@ -6,29 +6,19 @@
 namespace promenade::motion {
 namespace {
 
-const GraphEdge& edge_of(const MotionGraph& graph, int e) {
-  return graph.edges[static_cast<std::size_t>(e)];
-}
-
-const GraphNode& node_of(const MotionGraph& graph, int n) {
-  return graph.nodes[static_cast<std::size_t>(n)];
-}
-
 const Pose& pose_of(const MotionGraph& graph, const GraphNode& node, int frames_later = 0) {
-  return graph.takes[static_cast<std::size_t>(node.take)]
-      .take.poses[static_cast<std::size_t>(node.frame + frames_later)];
+  return graph.take(node.take).take.poses[static_cast<std::size_t>(node.frame + frames_later)];
 }
 
 // What an edge shows at a step, where the take that it leaves lies.
 const Pose& pose_of(const MotionGraph& graph, const GraphEdge& edge, int step) {
-  if (edge.transition < 0) return pose_of(graph, node_of(graph, edge.from), step);
-  return graph.transitions[static_cast<std::size_t>(edge.transition)]
-      .poses[static_cast<std::size_t>(step)];
+  if (edge.transition < 0) return pose_of(graph, graph.node(edge.from), step);
+  return graph.transition(edge.transition).poses[static_cast<std::size_t>(step)];
 }
 
 PlanarMove move_of(const MotionGraph& graph, const GraphEdge& edge) {
   if (edge.transition < 0) return {};
-  return graph.transitions[static_cast<std::size_t>(edge.transition)].move;
+  return graph.transition(edge.transition).move;
 }
 
 // Of two quaternions that turn alike, the one that can be interpolated with those before.
@@ -48,14 +38,14 @@ void add(Pose pose, Take& take) {
 bool holds_together(const MotionGraph& graph, const std::vector<int>& edges) {
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (edges[e] < 0 || edges[e] >= static_cast<int>(graph.edges.size())) return false;
-    if (e > 0 && edge_of(graph, edges[e - 1]).to != edge_of(graph, edges[e]).from) return false;
+    if (e > 0 && graph.edge(edges[e - 1]).to != graph.edge(edges[e]).from) return false;
   }
   return true;
 }
 
 int walk_frames(const MotionGraph& graph, const std::vector<int>& edges) {
   int frames = edges.empty() ? 0 : 1;
-  for (const int e : edges) frames += edge_of(graph, e).frames;
+  for (const int e : edges) frames += graph.edge(e).frames;
   return frames;
 }
 
@@ -76,15 +66,15 @@ Take walk_take(const MotionGraph& graph, const GraphWalk& walk) {
   Take take{graph.name, model.skeleton, model.body, graph.frame_time, {}, 0, 0};
   PlanarMove place = walk.start;
   for (const int e : walk.edges) {
-    const GraphEdge& edge = edge_of(graph, e);
+    const GraphEdge& edge = graph.edge(e);
     for (int step = 0; step < edge.frames; ++step) {
       add(moved(place, pose_of(graph, edge, step)), take);
     }
     place = after(place, move_of(graph, edge));
   }
   if (!walk.edges.empty()) {
-    const int last = edge_of(graph, walk.edges.back()).to;
-    add(moved(place, pose_of(graph, node_of(graph, last))), take);
+    const int last = graph.edge(walk.edges.back()).to;
+    add(moved(place, pose_of(graph, graph.node(last))), take);
   }
   return take;
 }
@@ -93,7 +83,7 @@ std::vector<LabelledPart> labelled_parts(const MotionGraph& graph, const std::ve
   std::vector<LabelledPart> parts;
   int frame = 0;
   for (const int e : edges) {
-    const GraphEdge& edge = edge_of(graph, e);
+    const GraphEdge& edge = graph.edge(e);
     const std::string& label = graph.label(edge);
     if (parts.empty() || parts.back().label != label) parts.push_back({frame, frame, label});
     frame += edge.frames;

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "motion/graph/cut_graph.h"
-#include "motion/graph/passages.h"
+#include "motion/graph/graph_labels.h"
 #include "motion/rng.h"
 
 namespace promenade::motion {
@@ -46,7 +46,7 @@ class LabelPlan {
         price_.push_back(0);
         continue;
       }
-      const double rms = graph.transitions[static_cast<std::size_t>(edge.transition)].rms_m;
+      const double rms = graph.transition(edge.transition).rms_m;
       price_.push_back(rms + most_luck * rng.uniform());
     }
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -78,7 +78,7 @@ class LabelPlan {
   }
 
  private:
-  const GraphEdge& edge(int e) const { return graph_.edges[static_cast<std::size_t>(e)]; }
+  const GraphEdge& edge(int e) const { return graph_.edge(e); }
 
   int longest_edge() const {
     int most = 0;
@@ -198,8 +198,8 @@ std::vector<int> random_walk(const MotionGraph& graph, std::uint64_t seed, int f
     const int e = fresh[rng.below(fresh.size())];
     ++walked[static_cast<std::size_t>(e)];
     edges.push_back(e);
-    done += graph.edges[static_cast<std::size_t>(e)].frames;
-    node = graph.edges[static_cast<std::size_t>(e)].to;
+    done += graph.edge(e).frames;
+    node = graph.edge(e).to;
   }
   return edges;
 }

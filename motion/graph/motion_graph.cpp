@@ -175,7 +175,7 @@ BuiltGraph build_graph(std::vector<GraphTake> takes, const MatchOptions& options
 MotionGraph part_with_labels(const MotionGraph& graph, const std::vector<std::string>& labels) {
   std::vector<bool> wanted;
   for (const GraphNode& node : graph.nodes) {
-    const std::string& label = graph.takes[static_cast<std::size_t>(node.take)].label;
+    const std::string& label = graph.take(node.take).label;
     wanted.push_back(std::find(labels.begin(), labels.end(), label) != labels.end());
   }
   MotionGraph part = part_of(graph, wanted);

@@ -51,6 +51,13 @@ struct MotionGraph {
   double frame_time = 0;   // seconds, of all takes
   int window = 0;          // frames
 
+  const GraphNode& node(int number) const { return nodes[static_cast<std::size_t>(number)]; }
+  const GraphEdge& edge(int number) const { return edges[static_cast<std::size_t>(number)]; }
+  const GraphTake& take(int number) const { return takes[static_cast<std::size_t>(number)]; }
+  const GraphTransition& transition(int number) const {
+    return transitions[static_cast<std::size_t>(number)];
+  }
+
   const Skeleton& skeleton() const { return takes.front().take.skeleton; }
   const BodyMap& body() const { return takes.front().take.body; }
   // The label of what is seen along an edge: that of the take it leads to.

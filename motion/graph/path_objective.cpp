@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/graph/graph_labels.h"
+
 namespace promenade::motion {
 namespace {
 
@@ -33,10 +35,11 @@ PathObjective::PathObjective(const MotionGraph& graph, const std::vector<EdgeWay
       other_label_cost_(options.other_label_m * options.other_label_m),
       first_edge_(graph.nodes.size(), -1) {
   const int edges = static_cast<int>(graph.edges.size());
-  for (int e = edges; e-- > 0;) first_edge_[at(graph.edges[at(e)].from)] = e;
+  for (int e = edges; e-- > 0;) first_edge_[at(graph.edge(e).from)] = e;
   for (const PathPart& part : options.parts) {
-    parts_.push_back({part.from_m, part.to_m, passages_to(graph, part.label), {}});
-    for (int e = 0; e < edges; ++e) parts_.back().shown.push_back(shows(graph, e, part.label));
+    parts_.push_back({part.from_m, part.to_m, frames_before(graph, part.label), {}});
+    for (int e = 0; e < edges; ++e)
+      parts_.back().shown.push_back(graph.label(graph.edge(e)) == part.label);
   }
 }
 
@@ -54,7 +57,7 @@ WalkState PathObjective::after(const WalkState& state, int edge, int frames) con
   next.travelled_m += count < way.frames.cols() ? way.frames(2, count) : way.metres;
   next.done = next.travelled_m >= path_.length();
   next.place = motion::after(state.place, way.move);
-  next.node = graph_.edges[at(edge)].to;
+  next.node = graph_.edge(edge).to;
   return next;
 }
 
@@ -70,7 +73,7 @@ double PathObjective::outlook(const WalkState& state, int frames) const {
       place + lay.turned(way.direction.x(), way.direction.y()) - path_.at(state.travelled_m + 1);
   double cost = 0.5 * frames * (off.squaredNorm() + off_ahead.squaredNorm());
   if (const Part* part = part_at(state.travelled_m)) {
-    const int other = part->passages.frames[at(state.node)];
+    const int other = part->frames_before[at(state.node)];
     cost += other_label_cost_ * (other < 0 ? frames : std::min(frames, other));
   }
   return cost;
@@ -82,7 +85,7 @@ std::vector<WalkState> PathObjective::starts(const std::string& label) const {
   for (int node = 0; node < static_cast<int>(graph_.nodes.size()); ++node) {
     const int edge = first_edge_[at(node)];
     if (edge < 0 || ways_[at(edge)].direction.isZero()) continue;
-    const auto& take = graph_.takes[at(graph_.nodes[at(node)].take)];
+    const auto& take = graph_.takes[at(graph_.node(node).take)];
     if (!label.empty() && take.label != label) continue;
     const double theta = angle(path_.direction(0)) - angle(ways_[at(edge)].direction);
     const Eigen::Vector2d pelvis = ways_[at(edge)].frames.col(0).head<2>();

@@ -1,7 +1,6 @@
 // What a walk along a path is to be like; used by path_walk only.
 #pragma once
 
-#include "motion/graph/passages.h"
 #include "motion/graph/path_walk.h"
 
 namespace promenade::motion {
@@ -30,8 +29,8 @@ class PathObjective : public WalkObjective {
  private:
   struct Part {
     double from_m, to_m;
-    Passages passages;
-    std::vector<bool> shown;  // for each edge, whether it has the label
+    std::vector<int> frames_before;  // for each node (graph_labels.h)
+    std::vector<bool> shown;         // for each edge, whether it has the label
   };
 
   const Part* part_at(double metres) const;

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/graph/graph_labels.h"
 #include "motion/graph/path_objective.h"
 #include "motion/graph/walk_beam.h"
 #include "motion/problem.h"
 
 namespace promenade::motion {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 WalkSearchOptions search_options(const MotionGraph& graph, const PathWalkOptions& options) {
   WalkSearchOptions search;
@@ -34,14 +33,14 @@ void measure(const MotionGraph& graph, const PathObjective& objective, WalkState
              PathWalk& walk) {
   double sum = 0;
   for (const int edge : walk.walk.edges) {
-    const int frames = objective.counted(state, edge, graph.edges[at(edge)].frames);
+    const int frames = objective.counted(state, edge, graph.edge(edge).frames);
     for (int i = 0; i < frames; ++i) {
       const double off = objective.distance(state, edge, i);
       sum += off * off;
       walk.farthest_m = std::max(walk.farthest_m, off);
     }
     walk.other_label += objective.other_label(state, edge, frames);
-    state = objective.after(state, edge, graph.edges[at(edge)].frames);
+    state = objective.after(state, edge, graph.edge(edge).frames);
   }
   walk.frames = state.frames;
   walk.walked_m = state.travelled_m;

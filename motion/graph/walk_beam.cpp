@@ -86,7 +86,7 @@ class Beam {
 
   Walker step(const Walker& from, int edge, int past) {
     ++visited_;
-    const int frames = graph_.edges[at(edge)].frames;
+    const int frames = graph_.edge(edge).frames;
     return {objective_.after(from.state, edge, frames), past, edge};
   }
 

@@ -7,8 +7,6 @@
 namespace promenade::motion {
 namespace {
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
 // One search within one horizon.
 class HorizonSearch {
  public:
@@ -70,7 +68,7 @@ class HorizonSearch {
   WalkState after(const WalkState& state, int edge) {
     ++visited_;
     const int left = last_frame_ - state.frames;
-    return objective_.after(state, edge, std::min(graph_.edges[at(edge)].frames, left));
+    return objective_.after(state, edge, std::min(graph_.edge(edge).frames, left));
   }
 
   void take(const WalkState& end) {
@@ -190,7 +188,7 @@ class LongWalk {
     std::size_t count = 0;
     while (count < found.edges.size() && !walk_.end.done && (all || walk_.end.frames < last)) {
       const int edge = found.edges[count++];
-      walk_.end = objective_.after(walk_.end, edge, graph_.edges[at(edge)].frames);
+      walk_.end = objective_.after(walk_.end, edge, graph_.edge(edge).frames);
       walk_.edges.push_back(edge);
     }
     ahead_.assign(found.edges.begin() + static_cast<std::ptrdiff_t>(count), found.edges.end());

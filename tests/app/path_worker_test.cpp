@@ -45,7 +45,7 @@ TEST(PathWorker, TellsTheBestSoFarAndKeepsItWhenItIsStopped) {
   while (so_far == nullptr && worker.working()) so_far = worker.news();
   ASSERT_TRUE(so_far);
   EXPECT_FALSE(so_far->result) << "it is still searched";
-  EXPECT_LT(so_far->share, 1);
+  EXPECT_LT(worker.share(), 1);
   EXPECT_TRUE(motion::holds_together(*shared_walks_graph(), so_far->motion->edges));
   worker.stop();
   const auto found = last_news(worker);

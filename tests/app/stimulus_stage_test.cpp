@@ -20,8 +20,7 @@ std::shared_ptr<const Stimulus> straight() {
   std::vector<int> edges;
   for (std::size_t e = 0; e < graph->edges.size(); ++e) {
     const motion::GraphEdge& edge = graph->edges[e];
-    const bool goes_on =
-        edges.empty() || graph->edges[static_cast<std::size_t>(edges.back())].to == edge.from;
+    const bool goes_on = edges.empty() || graph->edge(edges.back()).to == edge.from;
     if (edge.transition < 0 && goes_on) edges.push_back(static_cast<int>(e));
   }
   return std::make_shared<const Stimulus>(study::make_stimulus("happy", graph, edges));

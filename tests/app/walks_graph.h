@@ -15,13 +15,13 @@ inline motion::Passage passage(const motion::MotionGraph& graph, const motion::M
                                int from, int exit, int to, int entry) {
   constexpr int k = 11;  // a third of a second
   const auto at = [&](int take, int cycle) {
-    const int index = motion::find_cycle(set, graph.takes[static_cast<std::size_t>(take)].label);
+    const int index = motion::find_cycle(set, graph.take(take).label);
     return static_cast<int>(
         std::lround(cycle * set.cycles[static_cast<std::size_t>(index)].seconds * graph_rate));
   };
   const int i = at(from, exit), window = at(to, entry);
   const auto pose = [&](int take, int frame) {
-    return graph.takes[static_cast<std::size_t>(take)].take.poses[static_cast<std::size_t>(frame)];
+    return graph.take(take).take.poses[static_cast<std::size_t>(frame)];
   };
   const Eigen::Vector3d off = pose(from, i + k / 2).root - pose(to, window + k / 2).root;
   motion::Passage made{from, to, {}};

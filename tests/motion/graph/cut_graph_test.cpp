@@ -9,8 +9,8 @@ namespace {
 
 std::string text_of(const MotionGraph& graph, const GraphEdge& edge) {
   const auto name = [&](int n) {
-    const GraphNode& node = graph.nodes[static_cast<std::size_t>(n)];
-    return graph.takes[static_cast<std::size_t>(node.take)].label + std::to_string(node.frame);
+    const GraphNode& node = graph.node(n);
+    return graph.take(node.take).label + std::to_string(node.frame);
   };
   return name(edge.from) + (edge.transition < 0 ? "-" : "~") + name(edge.to) + ":" +
          std::to_string(edge.frames);
@@ -40,7 +40,7 @@ TEST(CutGraph, TheTakeComesFirstThenTheBestTransition) {
   const MotionGraph graph = toy_graph(
       {20}, {toy_passage({0, 5}, {0, 9}, 3, {}, 0.03), toy_passage({0, 5}, {0, 12}, 3, {}, 0.01)});
   EXPECT_EQ(edges_of(graph), (Texts{"a5-a9:4", "a5~a12:2", "a5~a9:2", "a9-a12:3"}));
-  EXPECT_EQ(graph.transitions[static_cast<std::size_t>(graph.edges[1].transition)].rms_m, 0.01);
+  EXPECT_EQ(graph.transition(graph.edges[1].transition).rms_m, 0.01);
 }
 
 // a5 and a12 lead to each other; b is a dead end.

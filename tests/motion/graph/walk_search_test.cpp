@@ -17,7 +17,7 @@ class ToyObjective : public WalkObjective {
 
   WalkState after(const WalkState& state, int edge, int frames) const override {
     WalkState next = state;
-    next.node = graph_.edges[static_cast<std::size_t>(edge)].to;
+    next.node = graph_.edge(edge).to;
     next.frames += frames;
     next.travelled_m += 1;
     Random random(seed_ + 97 * static_cast<std::uint64_t>(edge) +
@@ -67,7 +67,7 @@ struct Exhaustive {
       return;
     }
     for (int e = 0; e < static_cast<int>(graph.edges.size()); ++e) {
-      const GraphEdge& edge = graph.edges[static_cast<std::size_t>(e)];
+      const GraphEdge& edge = graph.edge(e);
       if (edge.from != state.node) continue;
       edges.push_back(e);
       visit(objective.after(state, e, std::min(edge.frames, last_frame - state.frames)));
@@ -190,7 +190,7 @@ TEST(WholeWalk, StaysOnTheGraphUntilItIsDone) {
     const ToyObjective objective(graph, seed, 60);
     const FoundWalk found = WalkSearch(graph, objective).whole_walk({}, {9, 3, no_limit});
     EXPECT_TRUE(holds_together(graph, found.edges));
-    EXPECT_EQ(graph.edges[static_cast<std::size_t>(found.edges.front())].from, 0);
+    EXPECT_EQ(graph.edge(found.edges.front()).from, 0);
     EXPECT_EQ(found.edges.size(), 60u);
     EXPECT_TRUE(found.end.done && found.complete);
   }
