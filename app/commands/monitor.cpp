@@ -50,11 +50,11 @@ Json to_json(const study::WatchedTrial& trial) {
           {"interface", text_or_null(trial.interface)},
           {"target", text_or_null(trial.target)},
           {"seconds", trial.seconds},
-          {"limit_s", to_json(trial.limit_s)},
-          {"left_s", to_json(trial.left_s())},
-          {"threshold_m", to_json(trial.threshold_m)},
+          {"limit_s", app::to_json(trial.limit_s)},
+          {"left_s", app::to_json(trial.left_s())},
+          {"threshold_m", app::to_json(trial.threshold_m)},
           {"d", measured ? Json(trial.shown.back().d) : Json()},
-          {"d_best", to_json(trial.d_best)},
+          {"d_best", app::to_json(trial.d_best)},
           {"late_frames", trial.late_frames},
           {"d_over_time", d_over_time(trial.shown)}};
 }
@@ -78,7 +78,7 @@ Json to_json(const study::WatchedSession& session) {
           {"trials_done", session.trials_done},
           {"trials", session.trials > 0 ? Json(session.trials) : Json()},
           {"minutes", session.minutes},
-          {"minutes_left", to_json(session.minutes_left)},
+          {"minutes_left", app::to_json(session.minutes_left)},
           {"seconds_since_event", session.still_s},
           {"seconds_since_sign_of_life", session.silent_s},
           {"late_frames", counted ? Json(session.late_frames) : Json()},
@@ -166,9 +166,9 @@ void print_again_and_again(const Options& options) {
 void run(const Options& options) {
   if (options.json && !options.once) throw InputError("--json", "goes with --once");
   interrupted();
+  if (options.once) return print_once(options);
   // Whoever plays on this machine comes first.
   ::setpriority(PRIO_PROCESS, 0, 10);
-  if (options.once) return print_once(options);
   if (options.text) return print_again_and_again(options);
   watch_in_window(options.database, options.screen);
 }

@@ -20,6 +20,7 @@ name = "labels"
 [[task]]
 name = "copy"
 kind = "match"
+limit_s = 4
 targets = [{ example = "proud" }, { example = "sad" }, { example = "happy" }]
 """
 
