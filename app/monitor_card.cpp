@@ -28,7 +28,7 @@ float draw_name(const Ui& ui, const WatchedSession& session, const Box& box) {
   if (session.simulated || session.pilot) {
     const std::string kind = kind_words(session);
     flag = text_width(ui.look.fonts.bold, kind) + ui.layout.size(16);
-    const Rgb& ground = session.pilot ? palette.pilot : palette.quiet;
+    const Rgb& ground = session.simulated ? palette.quiet : palette.pilot;
     const Box mark{box.right() - flag, box.y + ui.layout.size(8), flag, ui.layout.size(26)};
     fill(mark, ground);
     draw_text(ui.look.fonts.bold, mark, ink_on(palette, ground), kind, Align::centre);
@@ -121,8 +121,8 @@ void draw_threshold(const Ui& ui, double threshold_m, const Axes& axes) {
 void draw_time_axis(const Ui& ui, const Axes& axes) {
   const Box line{axes.box.x, axes.box.bottom(), axes.box.width, line_of(ui.look.fonts.text)};
   draw_text(ui.look.fonts.text, line, ui.look.palette.quiet, "0");
-  draw_text(ui.look.fonts.text, line, ui.look.palette.quiet, fmt::format("{:.0f} s", axes.most_s),
-            Align::right);
+  draw_text(ui.look.fonts.text, line, ui.look.palette.quiet,
+            fmt::format("{:.0f} s", std::floor(axes.most_s)), Align::right);
 }
 
 // D now in large digits, the best beside it, and beneath how it went.

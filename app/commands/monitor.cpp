@@ -127,7 +127,7 @@ std::string table_of(const study::Watched& now) {
   for (const study::WatchedSession& one : now.sessions) {
     const bool ended = one.state == study::WatchedState::ended;
     std::string doing = doing_words(one);
-    if (one.trial) doing += ": " + trial_words(one);
+    if (one.trial) doing += " (" + trial_words(one) + ")";
     doing += ended ? ", " + duration_words(one.ended_s) + " ago" : "; " + life_words(one);
     table += cell(one.participant, 14) + cell(kind_words(one), 9) + cell(one.station, 8) +
              cell(d_words(one), 7) + cell(left_words(one), 6) + doing + "\n";

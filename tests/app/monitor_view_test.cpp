@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/monitor_words.h"
+#include "study/plan.h"
 
 namespace promenade::app {
 namespace {
@@ -112,7 +113,7 @@ TEST_F(MonitorWindow, ScrollsToCardsThatHaveNoRoom) {
 TEST_F(MonitorWindow, HasTheCharactersOfEveryCode) {
   show(with({in_trial("参加者ノ長イ名前"), session("P02")}));
   const ImFont* heading = gui_->look().fonts.heading;
-  for (const ImWchar character : {0x53c2, 0x9577, 0x30ce}) {
+  for (const ImWchar character : std::initializer_list<ImWchar>{0x53c2, 0x9577, 0x30ce}) {
     EXPECT_NE(heading->FindGlyphNoFallback(character), nullptr);
   }
 }
