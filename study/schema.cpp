@@ -1,5 +1,7 @@
 #include "study/schema.h"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -174,7 +176,9 @@ void check_database(Database& database) {
   try {
     id = pragma(database, "application_id");
     version = pragma(database, "user_version");
-  } catch (const DatabaseError&) {
+  } catch (const DatabaseError& problem) {
+    const int code = problem.code() & 0xFF;
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) throw;  // what it is shows later
     refuse_stranger(database.file(), "is not a database; name the .db file of a study");
   }
   if (id != application_id) {
