@@ -27,7 +27,6 @@ void add_power_command(Command program);
 void add_stats_command(Command program);
 void add_withdraw_command(Command program);
 void add_merge_command(Command program);
-// Those of the contract that are not there yet: they say so, exit code 1.
-void add_missing_commands(Command program);
+void add_monitor_command(Command program);
 
 }  // namespace promenade::app

@@ -42,7 +42,7 @@ int run(int argc, char** argv) {
   app::add_graph_command(root);
   app::add_model_command(root);
   app::add_doctor_command(root);
-  app::add_missing_commands(root);
+  app::add_monitor_command(root);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,5 +1,7 @@
 #include "study/schema.h"
 
+#include <sqlite3.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -147,6 +149,18 @@ void make_missing_tables(Database& database) { database.exec(tables_sql); }
 
 int version_of(Database& database) { return static_cast<int>(pragma(database, "user_version")); }
 
+bool is_blank(Database& database) {
+  try {
+    Statement statement(database,
+                        "SELECT 1 FROM pragma_application_id, pragma_user_version WHERE "
+                        "application_id = 0 AND user_version = 0 AND "
+                        "NOT EXISTS (SELECT 1 FROM sqlite_schema)");
+    return statement.step();
+  } catch (const DatabaseError&) {
+    return false;  // no database; whoever looks closer says so
+  }
+}
+
 bool is_damaged(Database& database, const std::vector<std::string>& tables) {
   Statement check(database, "PRAGMA quick_check(1)");
   if (!check.step() || check.text(0) != "ok") return true;
@@ -162,7 +176,9 @@ void check_database(Database& database) {
   try {
     id = pragma(database, "application_id");
     version = pragma(database, "user_version");
-  } catch (const DatabaseError&) {
+  } catch (const DatabaseError& problem) {
+    const int code = problem.code() & 0xFF;
+    if (code == SQLITE_BUSY || code == SQLITE_LOCKED) throw;  // what it is shows later
     refuse_stranger(database.file(), "is not a database; name the .db file of a study");
   }
   if (id != application_id) {

@@ -25,6 +25,9 @@ void make_missing_tables(Database& database);
 
 int version_of(Database& database);  // of its tables
 
+// Nothing is in it yet: whoever made it was killed, or has yet to fill it.
+bool is_blank(Database& database);
+
 // Pages that are no part of a database, or rows of these tables that refer to rows that are
 // gone. Reads the whole file.
 bool is_damaged(Database& database, const std::vector<std::string>& tables);

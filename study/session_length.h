@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "study/interface.h"
+#include "study/plan.h"
 #include "study/study.h"
 
 namespace promenade::study {
@@ -18,5 +20,10 @@ struct SessionLength {
 // the people so far count. At least one person.
 SessionLength session_length(const StudyBundle& bundle, const InterfaceRegistry& registry,
                              int people, const std::function<bool()>& go_on);
+
+// Minutes from the moment at which each page of this plan opens to the end: the median of the
+// people. A page that nobody came to has those of the next one.
+std::vector<double> minutes_left(const StudyBundle& bundle, const InterfaceRegistry& registry,
+                                 const Plan& plan, int people);
 
 }  // namespace promenade::study

@@ -58,19 +58,6 @@ bool has_tables(Database& database) {
   return statement.step();
 }
 
-// Killed while it was made, or not yet made by another process: nobody's so far.
-bool is_blank(Database& database) {
-  try {
-    Statement statement(database,
-                        "SELECT 1 FROM pragma_application_id, pragma_user_version WHERE "
-                        "application_id = 0 AND user_version = 0 AND "
-                        "NOT EXISTS (SELECT 1 FROM sqlite_schema)");
-    return statement.step();
-  } catch (const DatabaseError&) {
-    return false;  // no database; whoever looks closer says so
-  }
-}
-
 void refuse_other_study(Database& database, const StudyBundle& bundle) {
   const std::string problem = study_problem(database, bundle);
   if (!problem.empty()) throw InputError(database.file(), problem);

@@ -90,6 +90,21 @@ FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz) {
   return times;
 }
 
+void run_slowly(Window& window, const std::function<void(std::int64_t now_us)>& draw,
+                const std::function<bool()>& ended, std::int64_t period_us) {
+  constexpr std::int64_t least_us = 50'000;
+  while (!ended()) {
+    const std::int64_t start_us = monotonic_us();
+    window.poll();
+    draw(start_us);
+    wait_for_card(window);
+    window.swap();
+    wait_until(window, start_us + least_us);
+    const std::int64_t left_us = start_us + period_us - monotonic_us();
+    if (left_us > 0) window.wait_events(static_cast<double>(left_us) * 1e-6);
+  }
+}
+
 void let_renderer_threads_idle() { schedule_renderer_threads(SCHED_IDLE); }
 
 }  // namespace promenade::app

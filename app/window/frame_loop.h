@@ -31,6 +31,11 @@ double quantile_ms(const std::vector<std::int64_t>& times_us, double share);
 // Runs until ended() says so. `hz`: frames a second when the display does not say.
 FrameTimes run_frames(Window& window, const FrameHooks& hooks, double hz = 60);
 
+// For a window beside others that must not be held up: a frame every `period_us`, and when
+// something arrives, but never more than 20 in a second.
+void run_slowly(Window& window, const std::function<void(std::int64_t now_us)>& draw,
+                const std::function<bool()>& ended, std::int64_t period_us);
+
 // Software OpenGL works in threads of its own; they must not hold up the input. Where
 // other programs leave them no time at all, run_frames lets them compete again, if it may.
 void let_renderer_threads_idle();

@@ -53,8 +53,9 @@ GLFWmonitor* display(int screen) {
   if (screen <= static_cast<int>(monitors.size())) {
     return monitors[static_cast<std::size_t>(screen) - 1];
   }
-  throw OutsideError("display " + std::to_string(screen) + " is not there; the displays are " +
-                     list_of(monitors) + "; change \"screen\" under [display], or use --windowed");
+  throw OutsideError(
+      "display " + std::to_string(screen) + " is not there; the displays are " + list_of(monitors) +
+      "; name one of these (\"screen\" under [display], or --screen), or use a window");
 }
 
 GLFWwindow* open(const WindowOptions& options) {

@@ -16,7 +16,6 @@ from program import PROMENADE, ProgramTest
 ALL = ["run", "check", "plan", "roster", "pack", "prereg", "amend", "withdraw", "simulate",
        "monitor", "report", "export", "replay", "merge", "power", "doctor", "set", "motion",
        "model", "graph", "stats"]
-LATER = ["monitor"]
 
 
 class Commands(ProgramTest):
@@ -28,13 +27,6 @@ class Commands(ProgramTest):
             result = self.call(command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("Usage", result.stdout)
-
-    def test_commands_of_later_versions_say_so(self):
-        for command in LATER:
-            result = self.call(command, "x", "--json")
-            self.assertEqual(result.returncode, 1, command)
-            self.assertEqual(result.stdout, "")
-            self.assertIn("not in this version", result.stderr)
 
     def test_wrong_options_are_input_errors(self):
         self.assertEqual(self.call("check").returncode, 2)

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "toy.h"
 
 namespace promenade::study {
@@ -30,6 +32,16 @@ TEST(SessionLength, StopsWhenItIsToldTo) {
   int asked = 0;
   session_length(toy::bundle(), toy::registry(), 5, [&] { return ++asked < 2; });
   EXPECT_EQ(asked, 2);
+}
+
+TEST(SessionLength, IsShorterFromEveryPageThanFromTheOneBefore) {
+  const StudyBundle bundle = toy::bundle();
+  const Plan plan = make_plan(bundle.study, 0);
+  const std::vector<double> left = minutes_left(bundle, toy::registry(), plan, 3);
+  ASSERT_EQ(left.size(), plan.pages.size());
+  EXPECT_TRUE(std::is_sorted(left.rbegin(), left.rend()));
+  EXPECT_GT(left.front(), 0.2);
+  EXPECT_LT(left.back(), 1) << "of the last page";
 }
 
 }  // namespace
