@@ -10,13 +10,13 @@ namespace promenade::app {
 namespace {
 
 // "nan" is a number to those who read it, and neither below nor above anything.
-std::string trouble_with_number(std::string& typed) {
+std::string trouble_with_number(const std::string& typed) {
   double value = 0;
   if (CLI::detail::lexical_cast(typed, value) && std::isfinite(value)) return {};
   return "Value " + typed + " is no finite number";
 }
 
-std::string trouble_with_positive(std::string& typed) {
+std::string trouble_with_positive(const std::string& typed) {
   double value = 0;
   if (CLI::detail::lexical_cast(typed, value) && std::isfinite(value) && value > 0) return {};
   return "Value " + typed + " is no number above 0";
@@ -41,10 +41,13 @@ Option Option::range(std::int64_t least, std::int64_t most) {
 }
 
 Option Option::range(double least, double most) {
-  return Option(option_->check(trouble_with_number)->check(CLI::Range(least, most)));
+  return Option(
+      option_->check(CLI::Validator(trouble_with_number, ""))->check(CLI::Range(least, most)));
 }
 
-Option Option::positive() { return Option(option_->check(trouble_with_positive, "POSITIVE")); }
+Option Option::positive() {
+  return Option(option_->check(CLI::Validator(trouble_with_positive, "POSITIVE")));
+}
 
 Option Option::one_at_a_time() { return Option(option_->allow_extra_args(false)); }
 

@@ -1,10 +1,12 @@
 // `promenade graph path`: a walk along a motion graph that follows a path over the ground.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "app/commands/graph_parts.h"
 #include "app/path_window.h"
+#include "motion/did_you_mean.h"
 #include "motion/files.h"
 #include "motion/graph/graph_labels.h"
 #include "motion/graph/path_walk.h"
@@ -64,21 +66,51 @@ Json path_json(const motion::MotionGraph& graph, const motion::PathWalk& found,
   return json;
 }
 
-void follow(const Arguments& given) {
-  const motion::MotionGraph graph = load_graph(given.graph);
-  const study::PathTable table = study::parse_path(read_file(given.path), given.path);
-  motion::PathWalkOptions options = given.options;
-  options.parts = parts_of(table);
-  const motion::GroundPath path(given.smooth ? motion::smooth_path(table.points) : table.points,
-                                given.path);
-  if (given.smooth) {
-    // The smooth way is a little longer.
-    const double longer = path.length() / motion::GroundPath(table.points, given.path).length();
-    for (motion::PathPart& part : options.parts) {
-      part.from_m *= longer;
-      part.to_m *= longer;
-    }
+void check_start(const Arguments& given, const motion::MotionGraph& graph) {
+  if (given.options.start_label.empty()) return;
+  check_labels("--start", {given.options.start_label}, motion::edge_labels(graph));
+}
+
+// All labels that are not those of the graph, at their places.
+void check_path_labels(const study::PathTable& table, const std::string& file,
+                       const motion::MotionGraph& graph) {
+  const std::vector<std::string> known = motion::edge_labels(graph);
+  std::vector<Problem> problems;
+  for (std::size_t p = 0; p < table.labels.size(); ++p) {
+    const std::string& label = table.labels[p];
+    if (label.empty() || std::find(known.begin(), known.end(), label) != known.end()) continue;
+    problems.push_back({file, table.places[p].line, table.places[p].column,
+                        "the graph has no label \"" + label + "\"" + did_you_mean(label, known) +
+                            "; it has " + quoted_list(known),
+                        Severity::error});
   }
+  if (!problems.empty()) throw InputError(problems);
+}
+
+study::PathTable read_path(const Arguments& given, const motion::MotionGraph& graph) {
+  study::PathTable table = study::parse_path(read_file(given.path), given.path);
+  if (const auto trouble = motion::trouble_with_path(table.points)) {
+    throw InputError(given.path, *trouble);
+  }
+  check_path_labels(table, given.path, graph);
+  return table;
+}
+
+WantedPath wanted_path(const Arguments& given, const study::PathTable& table) {
+  if (given.smooth) {
+    if (const auto smooth = PathDrawing(table).wanted()) return *smooth;
+  }
+  return {table.points, parts_of(table), 0};
+}
+
+void follow(const Arguments& given) {
+  check_outputs({given.out, given.picture}, {given.graph, given.path});
+  const motion::MotionGraph graph = load_graph(given.graph);
+  const WantedPath wanted = wanted_path(given, read_path(given, graph));
+  check_start(given, graph);
+  motion::PathWalkOptions options = given.options;
+  options.parts = wanted.parts;
+  const motion::GroundPath path(wanted.points, given.path);
   const motion::PathWalk found =
       motion::walk_along(graph, path, options, [](const motion::GraphWalk&, double share) {
         show_progress("walking along the path, %", static_cast<int>(100 * share), 100);
@@ -93,8 +125,9 @@ void follow(const Arguments& given) {
   if (found.stopped) print_note("stopped; the walk so far is written");
   if (given.json) return print_json(path_json(graph, found, path));
   print_text(walk_text(graph, found.walk, given.out) + note + "\n" +
-             (found.complete ? "every horizon was searched to its end\n"
-                             : "some horizons were not searched to their end: --most-edges\n"));
+             (found.complete
+                  ? "nothing better within any horizon\n"
+                  : "the best of many walks; that there is no better one is not proved\n"));
 }
 
 // Everything that is wrong is said before the window opens.
@@ -103,19 +136,8 @@ void draw(const Arguments& given) {
   setting.graph = std::make_shared<const motion::MotionGraph>(load_graph(given.graph));
   setting.options = given.options;
   setting.out = given.out;
-  if (!given.options.start_label.empty()) {
-    motion::require_label(*setting.graph, given.options.start_label);
-  }
-  if (!given.path.empty()) {
-    const study::PathTable table = study::parse_path(read_file(given.path), given.path);
-    if (const auto trouble = motion::trouble_with_path(table.points)) {
-      throw InputError(given.path, *trouble);
-    }
-    for (const std::string& label : table.labels) {
-      if (!label.empty()) motion::require_label(*setting.graph, label);
-    }
-    setting.drawing = PathDrawing(table);
-  }
+  check_start(given, *setting.graph);
+  if (!given.path.empty()) setting.drawing = PathDrawing(read_path(given, *setting.graph));
   draw_path_in_window(setting);
 }
 
@@ -158,6 +180,7 @@ void add_graph_path(Command graph_command) {
       .add_flag("--window", given->window,
                 "A window to draw a path with the mouse, and to save the walk to --out")
       .excludes("--json")
+      .excludes("--smooth")
       .excludes("--picture");
   command.callback([given] { run(*given); });
 }

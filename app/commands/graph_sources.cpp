@@ -30,6 +30,10 @@ motion::TakeSource capture(const std::string& name) {
   source.label = fs::path(source.file).filename().string();
   source.style =
       equals == std::string::npos ? fs::path(source.file).stem().string() : name.substr(0, equals);
+  if (equals != std::string::npos &&
+      (source.style.empty() || source.style.find(',') != std::string::npos)) {
+    throw InputError(name, "begins with a label that is empty or has a comma; name it otherwise");
+  }
   return source;
 }
 
