@@ -32,7 +32,10 @@ class Beam {
         go_on(chosen(std::exchange(levels_[level_], {})));
       }
       levels_[level_] = {};
-      stopped_ = progress && furthest_ && level_ % 4 == 3 && !progress(walk_to(*furthest_, starts));
+      if (progress && furthest_ && level_ % 4 == 3) {
+        const BeamWalk best = walk_to(*furthest_, starts);
+        stopped_ = !best.found.edges.empty() && !progress(best);
+      }
     }
     if (done_) return walk_to(*done_, starts);
     return stopped_ && furthest_ ? walk_to(*furthest_, starts) : BeamWalk{};
