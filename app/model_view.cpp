@@ -27,10 +27,10 @@ std::vector<std::string> shown_words(const ModelEditor& editor) {
 
 ModelView::ModelView(ModelEditor& editor, Gui& gui, InputQueue& queue,
                      std::function<void(const study::AdjectiveModel&)> save)
-    : editor_(editor), page_(gui, queue), save_(std::move(save)) {}
+    : editor_(editor), gui_(gui), page_(queue), save_(std::move(save)) {}
 
 void ModelView::frame() {
-  page_.frame([this](const Ui& ui) { draw(ui); });
+  page_.frame(gui_, [this](const Ui& ui) { draw(ui); });
 }
 
 void ModelView::draw(const Ui& ui) {
@@ -85,7 +85,7 @@ void ModelView::draw_thresholds(const Ui& ui, const Box& box) {
   const auto deviation =
       row(1, "sigma", "Raters alike: sigma at most", options.most_deviation, 0.85);
   if (!extreme && !deviation) return;
-  said_.clear();
+  saved_ = {};
   // To two digits, as is shown.
   const auto rounded = [](double value) { return std::round(100 * most * value) / 100; };
   editor_.set_thresholds(extreme ? rounded(*extreme) : options.least_extreme,
@@ -141,9 +141,9 @@ void ModelView::draw_foot(const Ui& ui) {
   std::string words = fmt::format("{} sliders. Drag the dashed line", editor_.names().size());
   if (editor_.model()) words += ", press a name to change it";
   if (editor_.model() && !save_) words += ". To save, start with --out MODEL.toml";
-  if (!said_.empty()) words = said_;
+  if (!saved_.words.empty()) words = saved_.words;
   if (!agrees) words = "The ratings do not agree: no sliders";
-  const bool alarm = !agrees || (failed_ && !said_.empty());
+  const bool alarm = !agrees || saved_.failed;
   draw_paragraphs(ui.look.fonts.text, line.x, line.y + ui.layout.size(4), line.width,
                   alarm ? palette.alarm : palette.text, words);
   if (!save_ || !editor_.model()) return;
@@ -151,17 +151,7 @@ void ModelView::draw_foot(const Ui& ui) {
 }
 
 void ModelView::save() {
-  try {
-    save_(*editor_.model());
-    said_ = "Saved";
-    failed_ = false;
-  } catch (const InputError& error) {
-    said_ = error.problems().front().message;
-    failed_ = true;
-  } catch (const OutsideError& error) {
-    said_ = error.what();
-    failed_ = true;
-  }
+  saved_ = report_of_saving([this] { save_(*editor_.model()); });
 }
 
 }  // namespace promenade::app

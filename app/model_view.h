@@ -23,7 +23,7 @@ class ModelView {
   // Draws until nothing waits in the queue.
   void frame();
   const WidgetMap& widgets() const { return page_.widgets(); }
-  const std::string& said() const { return said_; }  // about the last Save
+  const std::string& said() const { return saved_.words; }  // about the last Save
 
  private:
   void draw(const Ui& ui);
@@ -41,13 +41,13 @@ class ModelView {
   Box row_box(const Box& box, double row) const;
 
   ModelEditor& editor_;
+  Gui& gui_;
   ToolPage page_;
   std::function<void(const study::AdjectiveModel&)> save_;
   float row_ = 17;    // pixels, of a leaf
   int renamed_ = -1;  // the cluster whose name is being written
   std::string text_;  // what was written
-  std::string said_;
-  bool failed_ = false;
+  SaveReport saved_;  // the last time; no words: not since something changed
 };
 
 }  // namespace promenade::app

@@ -90,7 +90,7 @@ void ModelView::draw_cut(const Ui& ui, const Box& box) {
   const auto moved = drag_bar(ui, "slide", "cut", box, editor_.cut() / editor_.top());
   if (moved) {
     editor_.cut_at(*moved * editor_.top());
-    said_.clear();
+    saved_ = {};
   }
   const float x = std::round(box.x + box.width * static_cast<float>(editor_.cut() / editor_.top()));
   const float dash = ui.layout.size(7);
@@ -151,7 +151,7 @@ void ModelView::draw_field(const Ui& ui, const Box& box) {
     renamed_ = -1;
   } else if (entered || left) {
     if (!text_.empty()) editor_.rename(renamed_, text_);
-    said_.clear();
+    saved_ = {};
     renamed_ = -1;
     if (entered) page_.focus().leave();
   }

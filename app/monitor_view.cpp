@@ -20,11 +20,6 @@ int count_ended(const Watched& now) {
                     [](const WatchedSession& one) { return one.state == WatchedState::ended; }));
 }
 
-ImGuiWindowFlags plain() {
-  return ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
-         ImGuiWindowFlags_NoBackground;
-}
-
 // A part of the window that the wheel scrolls; `high` is how much there is to see.
 template <typename Draw>
 void scrolled(const char* name, const Box& box, float high, const Draw& draw) {
@@ -73,19 +68,7 @@ std::vector<std::string> shown_words(const Watched& now) {
 }
 
 void MonitorView::frame(Gui& gui, const Watched& now) {
-  gui.use();
-  ImGuiIO& io = ImGui::GetIO();
-  io.DeltaTime = 1.0f / 60;
-  queue_.feed(io);
-  ImGui::NewFrame();
-  focus_.begin(widgets_);
-  widgets_.clear();
-  ImGui::SetNextWindowPos({0, 0});
-  ImGui::SetNextWindowSize(io.DisplaySize);
-  ImGui::Begin("monitor", nullptr, plain());
-  draw({gui.look(), gui.layout(), widgets_, focus_}, now);
-  ImGui::End();
-  ImGui::Render();
+  page_.frame(gui, [&](const Ui& ui) { draw(ui, now); });
 }
 
 void MonitorView::draw(const Ui& ui, const Watched& now) {

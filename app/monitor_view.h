@@ -6,11 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/focus.h"
-#include "app/gui.h"
 #include "app/monitor_card.h"
-#include "app/widgets.h"
-#include "app/window/input_queue.h"
+#include "app/tool_page.h"
 #include "study/watch.h"
 
 namespace promenade::app {
@@ -20,11 +17,11 @@ std::vector<std::string> shown_words(const study::Watched& now);
 
 class MonitorView {
  public:
-  explicit MonitorView(InputQueue& queue) : queue_(queue) {}
+  explicit MonitorView(InputQueue& queue) : page_(queue) {}
 
   void frame(Gui& gui, const study::Watched& now);
   // Each card under "session" and its uuid, its parts under theirs; each row under "ended".
-  const WidgetMap& widgets() const { return widgets_; }
+  const WidgetMap& widgets() const { return page_.widgets(); }
 
  private:
   void draw(const Ui& ui, const study::Watched& now);
@@ -32,9 +29,7 @@ class MonitorView {
   void draw_sessions(const Ui& ui, const study::Watched& now, const Box& box);
   void draw_ended(const Ui& ui, const study::Watched& now, const Box& box);
 
-  InputQueue& queue_;
-  WidgetMap widgets_;
-  Focus focus_;
+  ToolPage page_;
 };
 
 }  // namespace promenade::app

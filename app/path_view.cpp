@@ -24,15 +24,6 @@ std::string target_of(const std::string& label) { return "label:" + label; }
 
 Vector2f pointer() { return {ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y}; }
 
-WalkedWay way_of(const study::Stimulus& motion) {
-  WalkedWay walked{Eigen::Matrix2Xd(2, motion.take.frames()), motion.labels};
-  for (int f = 0; f < motion.take.frames(); ++f) {
-    const Eigen::Vector3d& root = motion.take.poses[static_cast<std::size_t>(f)].root;
-    walked.way.col(f) << root.x(), root.z();
-  }
-  return walked;
-}
-
 std::string describe(const motion::PathWalk& found, double wanted_m, double frame_time) {
   std::string text = fmt::format("{:.1f} m wanted, {:.1f} m walked, {:.2f} m from it (RMS)",
                                  wanted_m, found.walked_m, found.rms_m);
@@ -52,13 +43,13 @@ std::vector<std::string> shown_words(const motion::MotionGraph& graph) {
 
 PathView::PathView(const PathScene& scene, Gui& gui, InputQueue& queue,
                    std::function<void(const motion::Take&)> save)
-    : scene_(scene), page_(gui, queue), save_(std::move(save)), colours_(scene.graph) {
+    : scene_(scene), gui_(gui), page_(queue), save_(std::move(save)), colours_(scene.graph) {
   choices_.emplace_back();
   for (const std::string& label : colours_.labels()) choices_.push_back(label);
 }
 
 void PathView::frame() {
-  page_.frame([this](const Ui& ui) {
+  page_.frame(gui_, [this](const Ui& ui) {
     follow();
     draw(ui);
   });
@@ -70,14 +61,14 @@ void PathView::follow() {
   const std::shared_ptr<const WalkedPath> news = scene_.worker.news();
   if (news == nullptr) return;
   walked_ = news;
-  way_ = way_of(*news->motion);
+  way_ = {motion::pelvis_way(news->motion->take), news->motion->labels};
   scene_.stage.walk(news->motion, news->result.has_value());
 }
 
 void PathView::ask() {
   revision_ = scene_.drawing.revision();
   wanted_ = scene_.drawing.wanted();
-  said_.clear();
+  saved_ = {};
   if (wanted_) return scene_.worker.start(*wanted_);
   scene_.worker.forget();
   scene_.stage.wander();
@@ -312,7 +303,7 @@ void PathView::choose_by_key(const Ui& ui) {
 
 std::string PathView::words() const {
   if (!scene_.worker.trouble().empty()) return scene_.worker.trouble();
-  if (!said_.empty()) return said_;
+  if (!saved_.words.empty()) return saved_.words;
   if (scene_.drawing.open() && !scene_.drawing.drawing()) return open_words;
   if (scene_.worker.working() || !wanted_ || !walked_ || !walked_->result) return {};
   return describe(*walked_->result, wanted_->length, scene_.graph.frame_time);
@@ -320,7 +311,7 @@ std::string PathView::words() const {
 
 void PathView::draw_state(const Ui& ui, const Box& box) {
   if (scene_.worker.working()) return draw_progress(ui, box);
-  const bool alarm = !scene_.worker.trouble().empty() || (failed_ && !said_.empty());
+  const bool alarm = !scene_.worker.trouble().empty() || saved_.failed;
   draw_paragraphs(ui.look.fonts.text, box.x, box.y, box.width,
                   alarm ? ui.look.palette.alarm : ui.look.palette.text, words());
 }
@@ -357,17 +348,7 @@ void PathView::draw_foot(const Ui& ui) {
 }
 
 void PathView::save() {
-  try {
-    save_(walked_->motion->take);
-    said_ = "Saved";
-    failed_ = false;
-  } catch (const InputError& error) {
-    said_ = error.problems().front().message;
-    failed_ = true;
-  } catch (const OutsideError& error) {
-    said_ = error.what();
-    failed_ = true;
-  }
+  saved_ = report_of_saving([this] { save_(walked_->motion->take); });
 }
 
 }  // namespace promenade::app

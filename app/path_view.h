@@ -67,6 +67,7 @@ class PathView {
   std::vector<DrawnCorner> corners_in_sight(const GroundPlan& plan, const PlaneTouch& touch) const;
 
   PathScene scene_;
+  Gui& gui_;
   ToolPage page_;
   std::function<void(const motion::Take&)> save_;
   StyleColours colours_;
@@ -78,8 +79,7 @@ class PathView {
   std::optional<WantedPath> wanted_;
   std::shared_ptr<const WalkedPath> walked_;
   WalkedWay way_;
-  std::string said_;  // about the last Save
-  bool failed_ = false;
+  SaveReport saved_;  // the last time; no words: not since another walk was found
 };
 
 }  // namespace promenade::app

@@ -1,14 +1,17 @@
 #include "app/tool_page.h"
 
+#include "motion/problem.h"
+
 namespace promenade::app {
 
-void ToolPage::frame(const std::function<void(const Ui&)>& draw) {
+void ToolPage::frame(Gui& gui, const std::function<void(const Ui&)>& draw) {
+  gui.use();
   constexpr int most = 64;  // whoever types faster waits for the next frame
-  pass(draw);
-  for (int k = 1; k < most && !queue_.empty(); ++k) pass(draw);
+  pass(gui, draw);
+  for (int k = 1; k < most && !queue_.empty(); ++k) pass(gui, draw);
 }
 
-void ToolPage::pass(const std::function<void(const Ui&)>& draw) {
+void ToolPage::pass(const Gui& gui, const std::function<void(const Ui&)>& draw) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = 1.0f / 60;
   queue_.feed(io);
@@ -20,9 +23,20 @@ void ToolPage::pass(const std::function<void(const Ui&)>& draw) {
   ImGui::Begin("page", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoBackground);
-  draw({gui_.look(), gui_.layout(), widgets_, focus_});
+  draw({gui.look(), gui.layout(), widgets_, focus_});
   ImGui::End();
   ImGui::Render();
+}
+
+SaveReport report_of_saving(const std::function<void()>& save) {
+  try {
+    save();
+    return {"Saved"};
+  } catch (const InputError& error) {
+    return {error.problems().front().message, true};
+  } catch (const OutsideError& error) {
+    return {error.what(), true};
+  }
 }
 
 }  // namespace promenade::app

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "app/focus.h"
 #include "app/gui.h"
@@ -13,22 +14,30 @@ namespace promenade::app {
 
 class ToolPage {
  public:
-  // Both outlive it.
-  ToolPage(Gui& gui, InputQueue& queue) : gui_(gui), queue_(queue) {}
+  // Outlives it.
+  explicit ToolPage(InputQueue& queue) : queue_(queue) {}
 
   // Draws until nothing waits in the queue; the drawing is left in ImGui::GetDrawData.
-  void frame(const std::function<void(const Ui&)>& draw);
+  void frame(Gui& gui, const std::function<void(const Ui&)>& draw);
   const WidgetMap& widgets() const { return widgets_; }
   const Focus& focus() const { return focus_; }
   Focus& focus() { return focus_; }
 
  private:
-  void pass(const std::function<void(const Ui&)>& draw);
+  void pass(const Gui& gui, const std::function<void(const Ui&)>& draw);
 
-  Gui& gui_;
   InputQueue& queue_;
   WidgetMap widgets_;
   Focus focus_;
 };
+
+// What became of saving, for people: "Saved", or why not.
+struct SaveReport {
+  std::string words;
+  bool failed = false;
+};
+
+// `save` may throw InputError or OutsideError.
+SaveReport report_of_saving(const std::function<void()>& save);
 
 }  // namespace promenade::app

@@ -127,6 +127,15 @@ Eigen::Matrix<double, 3, body_joint_count> body_at(const Take& take, double fram
   return body_positions(take.body, forward_kinematics(take.skeleton, pose_at(take, frame)));
 }
 
+Eigen::Matrix2Xd pelvis_way(const Take& take) {
+  Eigen::Matrix2Xd way(2, take.frames());
+  for (int f = 0; f < take.frames(); ++f) {
+    const Vector3d& root = take.poses[static_cast<std::size_t>(f)].root;
+    way.col(f) << root.x(), root.z();
+  }
+  return way;
+}
+
 Pose mix(const Pose& a, const Pose& b, double share) {
   Pose pose;
   pose.root = (1 - share) * a.root + share * b.root;

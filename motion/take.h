@@ -30,6 +30,9 @@ Pose pose_at(const Take& take, double frame);
 // Where the pelvis and the other joints of the body are at that frame, metres.
 Eigen::Matrix<double, 3, body_joint_count> body_at(const Take& take, double frame);
 
+// The way of the pelvis over the ground: 2 x T (x, z), metres.
+Eigen::Matrix2Xd pelvis_way(const Take& take);
+
 // A pose between two, the short way.
 Pose mix(const Pose& a, const Pose& b, double share);
 

@@ -36,25 +36,16 @@ int transitions_of(const motion::MotionGraph& graph, const motion::GraphWalk& wa
   return count;
 }
 
-Eigen::Matrix2Xd way_of(const motion::Take& take) {
-  Eigen::Matrix2Xd way(2, take.frames());
-  for (int f = 0; f < take.frames(); ++f) {
-    const Eigen::Vector3d& root = take.poses[static_cast<std::size_t>(f)].root;
-    way.col(f) << root.x(), root.z();
-  }
-  return way;
-}
-
 }  // namespace
 
 void write_walk(const WrittenWalk& written, const std::string& out, const std::string& picture) {
   const motion::Take take = motion::walk_take(written.graph, written.walk);
   const std::string svg =
-      picture.empty()
-          ? std::string()
-          : analysis::way_picture({written.title, written.note, written.wanted, way_of(take),
-                                   motion::labelled_parts(written.graph, written.walk.edges)},
-                                  written.graph);
+      picture.empty() ? std::string()
+                      : analysis::way_picture(
+                            {written.title, written.note, written.wanted, motion::pelvis_way(take),
+                             motion::labelled_parts(written.graph, written.walk.edges)},
+                            written.graph);
   write_file(out, motion::bvh_text(motion::take_clip(take)));
   if (!picture.empty()) write_file(picture, svg);
 }
