@@ -11,14 +11,6 @@
 namespace promenade::study {
 namespace {
 
-template <typename Value, typename Get>
-std::optional<Value> unless_null(const Statement& row, int column, const Get& get) {
-  return row.is_null(column) ? std::nullopt : std::optional<Value>(get(row, column));
-}
-std::optional<double> real(const Statement& row, int column) {
-  return unless_null<double>(row, column, [](const Statement& r, int c) { return r.real(c); });
-}
-
 LoggedSession header_of(Database& database, const std::string& uuid) {
   Statement row(database,
                 "SELECT session.study, participant.code, station, language, outcome, started_utc, "
@@ -47,18 +39,18 @@ TrialEnded ended_in(const Statement& row, int from) {
   TrialEnded ended;
   const auto count = [&row](int column) { return static_cast<int>(row.integer(column)); };
   ended.t_us = row.integer(from);
-  ended.d_best = real(row, from + 1);
-  ended.d_final = real(row, from + 2);
-  ended.d_sum = real(row, from + 3);
-  ended.seconds_difference = real(row, from + 4);
+  ended.d_best = row.real_if_any(from + 1);
+  ended.d_final = row.real_if_any(from + 2);
+  ended.d_sum = row.real_if_any(from + 3);
+  ended.seconds_difference = row.real_if_any(from + 4);
   if (!row.is_null(from + 5)) ended.first_below_us = row.integer(from + 5);
   ended.paused_us = row.integer(from + 6);
   ended.clicks = count(from + 7);
   ended.changes = count(from + 8);
   ended.late_frames = count(from + 9);
-  ended.process = {real(row, from + 10), row.real(from + 11),    count(from + 12),
-                   count(from + 13),     count(from + 14),       count(from + 15),
-                   row.real(from + 16),  row.integer(from + 17), count(from + 18)};
+  ended.process = {row.real_if_any(from + 10), row.real(from + 11),    count(from + 12),
+                   count(from + 13),           count(from + 14),       count(from + 15),
+                   row.real(from + 16),        row.integer(from + 17), count(from + 18)};
   return ended;
 }
 
@@ -82,7 +74,7 @@ std::map<std::string, int> read_trials(Database& database, LoggedSession& sessio
     trial.target = row.text(6);
     trial.started_us = row.integer(7);
     trial.outcome = row.text(8);
-    trial.d_first = real(row, 9);
+    trial.d_first = row.real_if_any(9);
     trial.ended = ended_in(row, 10);
     index[trial.uuid] = static_cast<int>(session.trials.size());
     session.trials.push_back(std::move(trial));
@@ -110,9 +102,9 @@ LoggedStep event_in(const Statement& row, const std::map<std::string, int>& tria
   event.actor = actor_of(row.text(5));
   event.kind = row.text(6);
   event.target = row.text(7);
-  event.value = real(row, 8);
-  event.x = real(row, 9);
-  event.y = real(row, 10);
+  event.value = row.real_if_any(8);
+  event.x = row.real_if_any(9);
+  event.y = row.real_if_any(10);
   event.detail = row.text(11);
   return step;
 }
@@ -123,7 +115,7 @@ LoggedStep sample_in(const Statement& row, const std::map<std::string, int>& tri
   step.sample = true;
   step.trial = trial_in(row, 0, trials);
   step.shown.t_us = row.integer(2);
-  step.shown.d = real(row, 3);
+  step.shown.d = row.real_if_any(3);
   const std::string_view bytes = row.blob(4);
   step.shown.weights.resize(static_cast<Eigen::Index>(bytes.size() / sizeof(double)));
   ByteReader(bytes, file).numbers(step.shown.weights.data(), bytes.size() / sizeof(double));
@@ -171,7 +163,7 @@ void read_answers(Database& database, LoggedSession& session) {
     answer.instrument = row.text(0);
     answer.version = row.text(1);
     answer.item = row.text(2);
-    answer.value = real(row, 3);
+    answer.value = row.real_if_any(3);
     answer.text = row.text(4);
     answer.declined = row.integer(5) != 0;
     answer.touched = row.integer(6) != 0;

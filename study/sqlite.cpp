@@ -226,6 +226,10 @@ std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(
 
 double Statement::real(int column) const { return sqlite3_column_double(handle_, column); }
 
+std::optional<double> Statement::real_if_any(int column) const {
+  return is_null(column) ? std::nullopt : std::optional(real(column));
+}
+
 std::string Statement::text(int column) const {
   const unsigned char* text = sqlite3_column_text(handle_, column);
   return text ? reinterpret_cast<const char*>(text) : "";

@@ -83,6 +83,7 @@ class Statement {
   bool is_null(int column) const;
   std::int64_t integer(int column) const;
   double real(int column) const;
+  std::optional<double> real_if_any(int column) const;  // nothing: null
   std::string text(int column) const;
   std::string_view text_view(int column) const;  // until the next step()
   std::string_view blob(int column) const;       // valid until the next step

@@ -11,10 +11,6 @@
 namespace promenade::study {
 namespace {
 
-std::optional<double> real(const Statement& row, int column) {
-  return row.is_null(column) ? std::nullopt : std::optional(row.real(column));
-}
-
 struct LoggedEvent {
   std::int64_t t_us = 0;
   std::string trial, kind, target, detail;
@@ -76,7 +72,7 @@ void read_events(Database& database, FollowedSession& session) {
   while (row.step()) {
     session.seq = row.integer(0);
     LoggedEvent event{row.integer(2), row.text(1), row.text(3), row.text(4), row.text(6)};
-    event.value = real(row, 5).value_or(-1);
+    event.value = row.real_if_any(5).value_or(-1);
     take(session, event);
   }
 }
@@ -94,10 +90,10 @@ void read_trial(Database& database, FollowedTrial& trial) {
   told.task = row.text(3);
   told.interface = row.text(4);
   told.target = row.text(5);
-  told.limit_s = real(row, 6);
-  told.threshold_m = real(row, 7);
+  told.limit_s = row.real_if_any(6);
+  told.threshold_m = row.real_if_any(7);
   trial.started_us = row.integer(8);
-  if (const auto first = real(row, 9); first && told.shown.empty()) {
+  if (const auto first = row.real_if_any(9); first && told.shown.empty()) {
     told.shown.push_back({0, *first});
     told.d_best = first;
   }
