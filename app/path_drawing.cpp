@@ -50,10 +50,11 @@ std::vector<motion::PathPart> parts_of(const std::vector<DrawnCorner>& corners,
 
 }  // namespace
 
-WantedPath path_through(const std::vector<DrawnCorner>& corners) {
+WantedPath path_through(const std::vector<DrawnCorner>& corners, WayThrough way) {
   assert(corners.size() >= 2 && "a path leads from somewhere to somewhere else");
   WantedPath path;
-  path.points = motion::smooth_path(points_of(corners));
+  path.points = points_of(corners);
+  if (way == WayThrough::smooth) path.points = motion::smooth_path(path.points);
   const std::vector<double> metres = reached(corners, path.points);
   path.parts = parts_of(corners, metres);
   path.length = motion::GroundPath(path.points).length();

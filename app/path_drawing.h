@@ -21,7 +21,7 @@ struct DrawnCorner {
 };
 
 struct WantedPath {
-  Eigen::Matrix2Xd points;              // 2 x n: a smooth curve through the corners
+  Eigen::Matrix2Xd points;              // 2 x n (x, z), metres: through the corners
   std::vector<motion::PathPart> parts;  // where a style is wanted
   double length = 0;                    // metres
 };
@@ -65,7 +65,11 @@ class PathDrawing {
   bool drawing_ = false;
 };
 
-// A smooth curve through corners, as it is wanted; at least two.
-WantedPath path_through(const std::vector<DrawnCorner>& corners);
+// From corner to corner straight on, or along a smooth curve through all of them.
+enum class WayThrough { straight, smooth };
+
+// What is wanted; at least two corners.
+WantedPath path_through(const std::vector<DrawnCorner>& corners,
+                        WayThrough way = WayThrough::smooth);
 
 }  // namespace promenade::app

@@ -21,29 +21,6 @@ struct Arguments {
   bool smooth = false, json = false, window = false;
 };
 
-// Metres of the way at each point.
-std::vector<double> reached(const Eigen::Matrix2Xd& points) {
-  std::vector<double> metres = {0};
-  for (Eigen::Index p = 1; p < points.cols(); ++p) {
-    metres.push_back(metres.back() + (points.col(p) - points.col(p - 1)).norm());
-  }
-  return metres;
-}
-
-// Where the table names a style: from its point to the next that names another, or none.
-std::vector<motion::PathPart> parts_of(const study::PathTable& table) {
-  const std::vector<double> metres = reached(table.points);
-  std::vector<motion::PathPart> parts;
-  std::string label;
-  for (std::size_t p = 0; p < table.labels.size(); ++p) {
-    if (table.labels[p] == label) continue;
-    if (!label.empty()) parts.back().to_m = metres[p];
-    label = table.labels[p];
-    if (!label.empty()) parts.push_back({metres[p], metres.back(), label});
-  }
-  return parts;
-}
-
 std::string note_of(const motion::PathWalk& found, const motion::GroundPath& path) {
   return fmt::format(
       "{:.1f} m wanted, {:.1f} m walked; {:.2f} m from it on the average (RMS), {:.2f} m at most",
@@ -97,10 +74,11 @@ study::PathTable read_path(const Arguments& given, const motion::MotionGraph& gr
 }
 
 WantedPath wanted_path(const Arguments& given, const study::PathTable& table) {
-  if (given.smooth) {
-    if (const auto smooth = PathDrawing(table).wanted()) return *smooth;
+  const PathDrawing drawing(table);
+  if (drawing.corners().size() < 2) {
+    throw InputError(given.path, "all points of the path lie in one place");
   }
-  return {table.points, parts_of(table), 0};
+  return path_through(drawing.corners(), given.smooth ? WayThrough::smooth : WayThrough::straight);
 }
 
 void follow(const Arguments& given) {
