@@ -5,11 +5,8 @@
 
 namespace promenade::analysis {
 
-LabelColours::LabelColours(const motion::MotionGraph& graph) {
-  for (const motion::GraphTake& take : graph.takes) labels_.push_back(take.label);
-  std::sort(labels_.begin(), labels_.end());
-  labels_.erase(std::unique(labels_.begin(), labels_.end()), labels_.end());
-}
+LabelColours::LabelColours(const motion::MotionGraph& graph)
+    : labels_(motion::labels_of(graph.takes)) {}
 
 int LabelColours::number(const std::string& label) const {
   return static_cast<int>(std::lower_bound(labels_.begin(), labels_.end(), label) -

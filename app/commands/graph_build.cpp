@@ -43,14 +43,6 @@ motion::LabelThreshold threshold_between(const std::string& text) {
                                     "sad,happy=0.04 (metres)");
 }
 
-std::vector<std::string> labels_of(const std::vector<motion::GraphTake>& takes) {
-  std::vector<std::string> labels;
-  for (const motion::GraphTake& one : takes) labels.push_back(one.label);
-  std::sort(labels.begin(), labels.end());
-  labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
-  return labels;
-}
-
 motion::BuiltGraph built_graph(NamedGraphTakes named, const Arguments& given) {
   motion::MatchOptions options = given.match;
   std::vector<std::string> mentioned;
@@ -58,7 +50,7 @@ motion::BuiltGraph built_graph(NamedGraphTakes named, const Arguments& given) {
     options.labels.push_back(threshold_between(text));
     mentioned.insert(mentioned.end(), {options.labels.back().from, options.labels.back().to});
   }
-  const std::vector<std::string> known = labels_of(named.takes);
+  const std::vector<std::string> known = motion::labels_of(named.takes);
   check_labels("--between", mentioned, known);
   check_labels("--labels", given.labels, known);
   if (!given.labels.empty()) {

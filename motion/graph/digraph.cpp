@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
+#include "motion/graph/index.h"
+
 namespace promenade::motion {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Components by depth-first search. `mark_` is 0 for a node not met yet; then the number of the
 // earliest open node that it is known to reach; at last last_mark minus its component, which is

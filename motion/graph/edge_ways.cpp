@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/graph/index.h"
+
 namespace promenade::motion {
 namespace {
 
 using Eigen::Matrix2Xd;
 using Eigen::Vector2d;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Vector2d on_ground(const PlanarMove& move, const Vector2d& point) {
   const Eigen::Vector3d there = moved(move, Eigen::Vector3d(point.x(), 0, point.y()));

@@ -6,12 +6,11 @@
 
 #include "motion/did_you_mean.h"
 #include "motion/graph/digraph.h"
+#include "motion/graph/index.h"
 #include "motion/problem.h"
 
 namespace promenade::motion {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Arcs have the numbers of edges and lead the other way.
 Digraph backwards(const MotionGraph& graph) {

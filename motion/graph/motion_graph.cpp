@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <set>
 
 #include "motion/decimal.h"
 #include "motion/graph/all_cores.h"
 #include "motion/graph/cut_graph.h"
+#include "motion/graph/graph_labels.h"
 
 namespace promenade::motion {
 namespace {
@@ -111,11 +113,9 @@ void count_what_is_left(BuiltGraph& built) {
   for (const GraphEdge& edge : graph.edges) {
     if (edge.transition < 0) statistics.seconds_kept += edge.frames * graph.frame_time;
   }
-  std::set<std::string> lost, left;
-  for (const GraphTake& take : graph.takes) lost.insert(take.label);
-  for (const GraphEdge& edge : graph.edges) left.insert(graph.label(edge));
-  for (const std::string& label : left) lost.erase(label);
-  statistics.lost.assign(lost.begin(), lost.end());
+  const std::vector<std::string> all = labels_of(graph.takes), left = edge_labels(graph);
+  std::set_difference(all.begin(), all.end(), left.begin(), left.end(),
+                      std::back_inserter(statistics.lost));
 }
 
 std::string metres(double value) { return short_number(value, 2) + " m"; }
@@ -142,6 +142,12 @@ std::string trouble_of(const BuiltGraph& built, const Matches& matches) {
 }
 
 }  // namespace
+
+std::vector<std::string> labels_of(const std::vector<GraphTake>& takes) {
+  std::set<std::string> labels;
+  for (const GraphTake& one : takes) labels.insert(one.label);
+  return {labels.begin(), labels.end()};
+}
 
 BuiltGraph build_graph(std::vector<GraphTake> takes, const MatchOptions& options,
                        const Progress& progress) {

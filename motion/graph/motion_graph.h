@@ -20,6 +20,9 @@ struct GraphTake {
   std::string sha256 = {};  // of the file; empty: not known
 };
 
+// Each label once, in order of the alphabet.
+std::vector<std::string> labels_of(const std::vector<GraphTake>& takes);
+
 struct GraphNode {
   int take = 0, frame = 0;
 };

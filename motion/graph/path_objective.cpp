@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "motion/graph/graph_labels.h"
+#include "motion/graph/index.h"
 
 namespace promenade::motion {
 namespace {
 
 using Eigen::Vector2d;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // A move with its sine and cosine worked out.
 struct Laying {

@@ -5,11 +5,10 @@
 #include <utility>
 
 #include "motion/graph/cut_graph.h"
+#include "motion/graph/index.h"
 
 namespace promenade::motion {
 namespace {
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 class Beam {
  public:
