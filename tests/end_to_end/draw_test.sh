@@ -3,22 +3,8 @@
 # walks it, and the walk is saved as a capture. Closing the window ends a search that is not done.
 set -euo pipefail
 
-program=${PROMENADE:?names the program to test}
-[ -n "${DISPLAY_IS_OURS:-}" ] || exec env DISPLAY_IS_OURS=1 \
-  xvfb-run -a -s "-screen 0 1280x720x24" "$0" "$@"
-
-folder=$(mktemp -d)
-running=
-finish() {
-  [ -z "$running" ] || kill "$running" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap finish EXIT
+. "$(dirname "$0")/display.sh"
 cd "$folder"
-
-expect() {  # expect SAID WANTED FOUND
-  [ "$2" = "$3" ] || { echo "$1: wanted \"$2\", found \"$3\"" >&2; exit 1; }
-}
 
 open_window() {  # open_window ARGUMENTS...
   "$program" graph path walks.graph --window "$@" &

@@ -2,21 +2,8 @@
 # Plays trials again from the database alone: as pictures, and in the real window.
 set -euo pipefail
 
-program=${PROMENADE:?names the program to test}
-[ -n "${DISPLAY_IS_OURS:-}" ] || exec env DISPLAY_IS_OURS=1 \
-  xvfb-run -a -s "-screen 0 1280x720x24" "$0" "$@"
+. "$(dirname "$0")/display.sh"
 
-folder=$(mktemp -d)
-running=
-finish() {
-  [ -z "$running" ] || kill "$running" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap finish EXIT
-
-expect() {  # expect SAID WANTED FOUND
-  [ "$2" = "$3" ] || { echo "$1: wanted \"$2\", found \"$3\"" >&2; exit 1; }
-}
 # fails SAID CODE ARGUMENTS...: replay ends with that code and says so.
 fails() {
   local said=$1 wanted=$2 status=0

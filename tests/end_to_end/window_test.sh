@@ -3,21 +3,8 @@
 # study by mouse, and a real pointer (xdotool) works the first pages of the demo.
 set -euo pipefail
 
-program=${PROMENADE:?names the program to test}
-[ -n "${DISPLAY_IS_OURS:-}" ] || exec env DISPLAY_IS_OURS=1 \
-  xvfb-run -a -s "-screen 0 1280x720x24" "$0" "$@"
+. "$(dirname "$0")/display.sh"
 
-folder=$(mktemp -d)
-running=
-finish() {
-  [ -z "$running" ] || kill "$running" 2>/dev/null || true
-  rm -rf "$folder"
-}
-trap finish EXIT
-
-expect() {  # expect SAID WANTED FOUND
-  [ "$2" = "$3" ] || { echo "$1: wanted \"$2\", found \"$3\"" >&2; exit 1; }
-}
 ask() { sqlite3 -readonly "$1" "$2"; }
 
 # Waits until a query gives what is wanted; says what it gave last.
