@@ -8,68 +8,76 @@
 namespace promenade::analysis {
 namespace {
 
+const std::vector<std::string>& comparison_columns() {
+  static const std::vector<std::string> columns = {"measure",
+                                                   "unit",
+                                                   "task",
+                                                   "target",
+                                                   "pooling",
+                                                   "a",
+                                                   "b",
+                                                   "n",
+                                                   "n_missing",
+                                                   "n_zero",
+                                                   "n_tied",
+                                                   "tie_sum",
+                                                   "W_plus",
+                                                   "W_minus",
+                                                   "p_exact_two",
+                                                   "p_asym_two",
+                                                   "p_asym_cc_two",
+                                                   "p_holm",
+                                                   "holm_family",
+                                                   "p_holm_from",
+                                                   "rank_biserial",
+                                                   "rank_biserial_ci_lower",
+                                                   "rank_biserial_ci_upper",
+                                                   "hl",
+                                                   "hl_ci_lower",
+                                                   "hl_ci_upper",
+                                                   "hl_ci_level"};
+  return columns;
+}
+
+std::vector<Cell> comparison_row(const Dataset& data, const Comparison& one) {
+  const SignedRankTest& test = one.test;
+  const bool any = test.n > 0;
+  return {cell(item(data.measures, one.measure).name),
+          cell(item(data.measures, one.measure).unit),
+          cell(item(data.tasks, one.task).name),
+          target_name(data, one.task, one.target),
+          cell(to_text(one.pooling)),
+          cell(item(data.interfaces, one.a)),
+          cell(item(data.interfaces, one.b)),
+          cell(test.n),
+          cell(one.missing),
+          cell(test.n_zero),
+          cell(test.n_tied),
+          cell(test.tie_sum),
+          Cell(test.w_plus),
+          Cell(test.w_minus),
+          any && test.exact ? Cell(test.exact->two) : Cell(),
+          test.normal ? Cell(test.normal->two) : Cell(),
+          test.normal_corrected ? Cell(test.normal_corrected->two) : Cell(),
+          cell(one.p_holm),
+          cell(one.family),
+          one.p ? cell(is_approximate(one) ? "asymptotic" : "exact") : Cell(),
+          cell(test.rank_biserial),
+          lower(one.rank_biserial_ci),
+          upper(one.rank_biserial_ci),
+          cell(one.hl),
+          lower(interval_of(one.hl_ci)),
+          upper(interval_of(one.hl_ci)),
+          one.hl_ci ? Cell(one.hl_ci->level) : Cell()};
+}
+
 Table comparison_table(const Results& results) {
-  const Dataset& data = results.data;
   Table table{"comparisons",
               "Every pair of interfaces (differences are a − b) by the signed-rank test.",
-              {"measure",
-               "unit",
-               "task",
-               "target",
-               "pooling",
-               "a",
-               "b",
-               "n",
-               "n_missing",
-               "n_zero",
-               "n_tied",
-               "tie_sum",
-               "W_plus",
-               "W_minus",
-               "p_exact_two",
-               "p_asym_two",
-               "p_asym_cc_two",
-               "p_holm",
-               "holm_family",
-               "p_holm_from",
-               "rank_biserial",
-               "rank_biserial_ci_lower",
-               "rank_biserial_ci_upper",
-               "hl",
-               "hl_ci_lower",
-               "hl_ci_upper",
-               "hl_ci_level"},
+              comparison_columns(),
               {}};
   for (const Comparison& one : results.comparisons) {
-    const SignedRankTest& test = one.test;
-    const bool any = test.n > 0;
-    table.rows.push_back({cell(item(data.measures, one.measure).name),
-                          cell(item(data.measures, one.measure).unit),
-                          cell(item(data.tasks, one.task).name),
-                          target_name(data, one.task, one.target),
-                          cell(to_text(one.pooling)),
-                          cell(item(data.interfaces, one.a)),
-                          cell(item(data.interfaces, one.b)),
-                          cell(test.n),
-                          cell(one.missing),
-                          cell(test.n_zero),
-                          cell(test.n_tied),
-                          cell(test.tie_sum),
-                          Cell(test.w_plus),
-                          Cell(test.w_minus),
-                          any && test.exact ? Cell(test.exact->two) : Cell(),
-                          test.normal ? Cell(test.normal->two) : Cell(),
-                          test.normal_corrected ? Cell(test.normal_corrected->two) : Cell(),
-                          cell(one.p_holm),
-                          cell(one.family),
-                          one.p ? cell(is_approximate(one) ? "asymptotic" : "exact") : Cell(),
-                          cell(test.rank_biserial),
-                          lower(one.rank_biserial_ci),
-                          upper(one.rank_biserial_ci),
-                          cell(one.hl),
-                          lower(interval_of(one.hl_ci)),
-                          upper(interval_of(one.hl_ci)),
-                          one.hl_ci ? Cell(one.hl_ci->level) : Cell()});
+    table.rows.push_back(comparison_row(results.data, one));
   }
   return table;
 }
