@@ -93,6 +93,12 @@ Texts load_texts(std::string_view language, const std::string& file, std::string
   return Texts(std::move(texts));
 }
 
+Texts parse_texts(const std::vector<std::pair<std::string, std::string_view>>& files) {
+  TextMap texts;
+  for (const auto& [file, content] : files) flatten(parse_toml(file, content), "", texts);
+  return Texts(std::move(texts));
+}
+
 Texts texts_in(const StudyTexts& texts, std::string_view language) {
   const auto found = texts.find(language);
   return found != texts.end() ? found->second : load_texts(language);

@@ -41,6 +41,9 @@ Texts load_texts(std::string_view language);
 Texts load_texts(std::string_view language, const std::string& file, std::string_view own);
 std::vector<std::string> known_languages();
 
+// Several files of texts in one; each with its name, for problems.
+Texts parse_texts(const std::vector<std::pair<std::string, std::string_view>>& files);
+
 // Of all languages of a study, by language.
 using StudyTexts = std::map<std::string, Texts, std::less<>>;
 // Those of the study, else the program's. Throws InputError for a language unknown to both.
