@@ -45,6 +45,7 @@ class StudyDraft {
   void write(std::string text, std::string_view gesture = {});
   void end_gesture() { gesture_.clear(); }
   const std::string& refusal() const { return refusal_; }  // of the last change
+  void forget_refusal() { refusal_.clear(); }
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }
