@@ -1,0 +1,44 @@
+// How near each interface can come to each target of the study: the table of `check`, made in a
+// thread and made again when the study changes.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/commands/target_report.h"
+#include "app/desk/background.h"
+#include "app/desk/edit_controls.h"
+
+namespace promenade::app {
+
+class EditDistances {
+ public:
+  // Only while it is looked at: null or the same study starts nothing.
+  void follow(const std::shared_ptr<const study::StudyBundle>& bundle);
+  void advance();
+  bool working() const { return work_.working(); }
+  void draw(const FormPass& pass, const Box& box);
+  const std::vector<TargetReport>& reports() const { return table_.reports; }
+
+ private:
+  struct Table {
+    std::vector<TargetReport> reports;
+    std::vector<Problem> warnings;
+  };
+  struct Progress {
+    std::atomic<int> done = 0, count = 0;
+  };
+  float draw_rows(const FormPass& pass, const Box& box) const;
+  void draw_row(const FormPass& pass, const TargetReport& report, const Box& row) const;
+  Box cell(const Box& row, std::size_t column) const;
+
+  std::shared_ptr<const study::StudyBundle> bundle_;  // of the table, or of the work
+  std::vector<std::string> columns_;                  // names of interfaces
+  Table table_;
+  std::shared_ptr<Progress> progress_;
+  Background<Table> work_;
+};
+
+}  // namespace promenade::app
