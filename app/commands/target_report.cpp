@@ -168,21 +168,21 @@ void warn_of_shares(const Group& group, Sentences& warnings) {
 }  // namespace
 
 std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
-  return report_targets(bundle, [&](std::size_t done, std::size_t count) {
-    return note_progress(bundle, done, count);
+  return report_targets(bundle, [&](const std::vector<TargetReport>& done, std::size_t count) {
+    return note_progress(bundle, done.size(), count);
   });
 }
 
 std::vector<TargetReport> report_targets(
     const StudyBundle& bundle,
-    const std::function<bool(std::size_t done, std::size_t count)>& goes_on) {
+    const std::function<bool(const std::vector<TargetReport>& done, std::size_t count)>& goes_on) {
   std::vector<TargetReport> reports;
   const std::vector<Case> cases = cases_of(bundle.study);
   if (cases.empty()) return reports;
   const study::ReachModels models = study::make_reach_models(bundle);
   for (const Case& one : cases) {
     reports.push_back(report_case(bundle, models, one));
-    if (!goes_on(reports.size(), cases.size())) break;
+    if (!goes_on(reports, cases.size())) break;
   }
   return reports;
 }

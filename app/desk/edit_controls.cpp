@@ -106,6 +106,10 @@ std::pair<std::string, std::string> EditControls::stop_of(const FormPass& pass,
   return {"tick", target + "/" + (options.empty() ? "" : options.front())};
 }
 
+void EditControls::leave() {
+  for (auto& [target, written] : boxes_) written.active = written.draft.active = false;
+}
+
 bool EditControls::is_refused(const study::TomlPath& path) const {
   const auto found = boxes_.find(study::to_text(path));
   return found != boxes_.end() && found->second.refused;

@@ -19,13 +19,16 @@ void EditDistances::follow(const std::shared_ptr<const study::StudyBundle>& bund
   const bool same = bundle_ != nullptr && bundle_->sha256 == bundle->sha256;
   bundle_ = bundle;
   if (same) return;
+  table_ = {};
+  count_ = 0;
   progress_ = std::make_shared<Progress>();
   work_.start([bundle, progress = progress_](const std::stop_token& ended) {
     Table table;
     try {
-      table.reports = report_targets(*bundle, [&](std::size_t done, std::size_t count) {
-        progress->done = static_cast<int>(done);
-        progress->count = static_cast<int>(count);
+      table.reports = report_targets(*bundle, [&](const auto& done, std::size_t count) {
+        const std::lock_guard lock(progress->mutex);
+        progress->reports = done;
+        progress->count = count;
         return !ended.stop_requested();
       });
       table.warnings = warnings_of(bundle->file, table.reports);
@@ -37,9 +40,20 @@ void EditDistances::follow(const std::shared_ptr<const study::StudyBundle>& bund
 }
 
 void EditDistances::advance() {
-  auto found = work_.news();
-  if (!found) return;
-  table_ = std::move(*found);
+  if (auto found = work_.news()) {
+    table_.warnings = std::move(found->warnings);
+    return show(std::move(found->reports));
+  }
+  if (!working()) return;
+  const std::lock_guard lock(progress_->mutex);
+  count_ = progress_->count;
+  if (progress_->reports.size() == table_.reports.size()) return;
+  table_.warnings.clear();
+  show(progress_->reports);
+}
+
+void EditDistances::show(std::vector<TargetReport> reports) {
+  table_.reports = std::move(reports);
   columns_.clear();
   for (const TargetReport& report : table_.reports) {
     for (const InterfaceReach& one : report.reaches) {
@@ -58,9 +72,9 @@ void EditDistances::draw(const FormPass& pass, const Box& box) {
   y += draw_paragraphs(font, box.x, y, box.width, palette.quiet, pass.words("edit.distances_help"));
   y += ui.layout.size(8);
   if (working()) {
-    const std::string text = pass.words.with("edit.distances_work",
-                                             {{"done", std::to_string(progress_->done.load())},
-                                              {"count", std::to_string(progress_->count.load())}});
+    const std::string text = pass.words.with(
+        "edit.distances_work",
+        {{"done", std::to_string(table_.reports.size())}, {"count", std::to_string(count_)}});
     draw_text(ui.look.fonts.bold, {box.x, y, box.width, ui.layout.size(28)}, palette.text, text);
     y += ui.layout.size(32);
   } else if (table_.reports.empty()) {

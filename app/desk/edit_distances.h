@@ -2,8 +2,8 @@
 // thread and made again when the study changes.
 #pragma once
 
-#include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -27,9 +27,13 @@ class EditDistances {
     std::vector<TargetReport> reports;
     std::vector<Problem> warnings;
   };
+  // Of the thread's, while it works.
   struct Progress {
-    std::atomic<int> done = 0, count = 0;
+    std::mutex mutex;
+    std::vector<TargetReport> reports;
+    std::size_t count = 0;  // of all targets
   };
+  void show(std::vector<TargetReport> reports);
   float draw_rows(const FormPass& pass, const Box& box) const;
   void draw_row(const FormPass& pass, const TargetReport& report, const Box& row) const;
   Box cell(const Box& row, std::size_t column) const;
@@ -38,6 +42,7 @@ class EditDistances {
   std::vector<std::string> columns_;                  // names of interfaces
   Table table_;
   std::shared_ptr<Progress> progress_;
+  std::size_t count_ = 0;  // of the targets that are searched for
   Background<Table> work_;
 };
 

@@ -12,12 +12,11 @@ constexpr double cycle_s = 1.1;
 
 }  // namespace
 
-void EditFigures::follow(const std::shared_ptr<const study::StudyBundle>& bundle) {
-  if (bundle == nullptr || bundle == bundle_) return;
-  const bool same = bundle_ != nullptr && bundle_->set_sha256 == bundle->set_sha256;
-  if (same) return;
-  figures_ = std::make_unique<Figures>(*bundle);
-  bundle_ = bundle;
+void EditFigures::follow(const std::shared_ptr<const study::StudyBundle>& motions) {
+  if (motions == nullptr) return;
+  if (bundle_ != nullptr && bundle_->set_sha256 == motions->set_sha256) return;
+  figures_ = std::make_unique<Figures>(*motions);
+  bundle_ = motions;
   captions_.reset();
 }
 

@@ -11,8 +11,9 @@ namespace promenade::app {
 
 class EditFigures {
  public:
-  // The study as it was read last; null leaves what is there. The same walks stay as they are.
-  void follow(const std::shared_ptr<const study::StudyBundle>& bundle);
+  // The motions of the study (StudyCheck::motions); null leaves what is there. The same walks stay
+  // as they are.
+  void follow(const std::shared_ptr<const study::StudyBundle>& motions);
   bool ready() const { return bundle_ != nullptr; }
   const study::StudyBundle& bundle() const { return *bundle_; }
   // In a language of the program.

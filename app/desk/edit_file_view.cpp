@@ -99,11 +99,12 @@ void EditFileView::find_focus(const study::StudyDraft& draft, const study::TomlP
 }
 
 void EditFileView::bring_into_sight(const Ui& ui, float view_height) {
-  if (!moved_) return;
+  const int line = wanted_ > 0 ? wanted_ : moved_ ? first_ : 0;
   moved_ = false;
-  if (first_ == 0) return;
-  const auto row = std::find_if(rows_.begin(), rows_.end(),
-                                [this](const Row& one) { return one.line == first_; });
+  wanted_ = 0;
+  if (line == 0) return;
+  const auto row =
+      std::find_if(rows_.begin(), rows_.end(), [line](const Row& one) { return one.line == line; });
   const float y = static_cast<float>(row - rows_.begin()) * step_of(ui);
   const float top = ImGui::GetScrollY();
   const float edge = 2 * step_of(ui);

@@ -70,13 +70,13 @@ void EditOptions::find_files() {
   lists_["@instruments"] = study::embedded_names("instruments");
 }
 
-void EditOptions::follow(const TomlValue& root, const study::StudyBundle* bundle) {
+void EditOptions::follow(const TomlValue& root, const study::StudyBundle* motions) {
   lists_["@interfaces"] = names_in(root, "interface");
   lists_["@tasks"] = names_in(root, "task");
   lists_["@stimuli"] = names_in(root, "stimulus");
   lists_["@starts"] = guesses_in(root);
   find_files();
-  if (bundle != nullptr) lists_["@walks"] = walks_of(bundle->space.set);
+  if (motions != nullptr) lists_["@walks"] = walks_of(motions->space.set);
 }
 
 const std::vector<std::string>& EditOptions::of(std::string_view source) const {

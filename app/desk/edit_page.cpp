@@ -1,5 +1,6 @@
 #include "app/desk/edit_page.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/choice.h"
@@ -76,8 +77,8 @@ void EditPage::follow() {
   followed_ = draft_->version();
   check_ = found;
   if (check_ && check_->bundle) bundle_ = check_->bundle;
-  figures_.follow(bundle_);
-  options_.follow(draft_->root(), bundle_.get());
+  if (check_) figures_.follow(check_->motions);
+  options_.follow(draft_->root(), check_ ? check_->motions.get() : nullptr);
   shown_ = {file_, draft_->text()};
   for (const PlacedProblem& one : problems()) shown_.push_back(one.problem.message);
   for (const char* source : {"@walks", "@sets"}) {
@@ -98,9 +99,24 @@ void EditPage::save() {
 
 void EditPage::hear_keys() {
   if (control_and('S')) save();
-  const bool shift = ImGui::GetIO().KeyShift;
-  if (control_and('Z')) shift ? draft_->redo() : draft_->undo();
-  if (control_and('Y')) draft_->redo();
+  if (control_and('Z')) go_back(ImGui::GetIO().KeyShift);
+  if (control_and('Y')) go_back(true);
+}
+
+// Undo, or redo: `again`. What it changes comes into sight.
+void EditPage::go_back(bool again) {
+  const std::string before = draft_->text();
+  again ? draft_->redo() : draft_->undo();
+  const std::string& now = draft_->text();
+  if (now == before) return;
+  const auto at = std::mismatch(before.begin(), before.end(), now.begin(), now.end()).second;
+  const auto byte = static_cast<std::size_t>(at - now.begin());
+  file_view_.show(study::line_at(now, byte));
+  // What is gone stood in the text before.
+  const std::string& longer = now.size() < before.size() ? before : now;
+  const std::size_t changed = longer.find_first_not_of(" \t\r\n", byte);
+  const study::TomlPath path = study::path_at(study::scan_toml(longer), changed);
+  if (!path.empty()) form_.reveal(path);
 }
 
 void EditPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
@@ -145,8 +161,8 @@ void EditPage::draw_head(const Ui& ui, const study::Texts& words, const Box& box
   draw_line(calm ? ui.look.fonts.text : ui.look.fonts.bold,
             {x, box.y + ui.layout.size(2), undo_box.x - x, box.height},
             calm ? palette.quiet : palette.steps.front(), words(key));
-  if (icon_button(ui, "press", "undo", undo_box, Icon::undo, draft_->can_undo())) draft_->undo();
-  if (icon_button(ui, "press", "redo", redo_box, Icon::redo, draft_->can_redo())) draft_->redo();
+  if (icon_button(ui, "press", "undo", undo_box, Icon::undo, draft_->can_undo())) go_back(false);
+  if (icon_button(ui, "press", "redo", redo_box, Icon::redo, draft_->can_redo())) go_back(true);
   if (button(ui, "save", save_box, words("edit.save"), ButtonKind::filled, !draft_->saved())) {
     save();
   }

@@ -50,6 +50,7 @@ class EditPage : public DeskPage {
   void draw_motions(const FormPass& pass, const Box& box);
   void draw_trouble(const Ui& ui, const study::Texts& words, const Box& room);
   void hear_keys();
+  void go_back(bool again);
   void save();
   std::string state_key() const;
   const std::vector<PlacedProblem>& problems() const;

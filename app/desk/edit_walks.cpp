@@ -51,6 +51,7 @@ std::vector<std::string> target_walks(const TomlValue& root) {
 void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures) {
   const Ui& ui = pass.ui;
   targets_ = target_walks(pass.root());
+  hovered_.clear();
   const float foot = ui.layout.size(52);
   const Box view{box.x, box.y, box.width, box.height - foot};
   const float bar = ImGui::GetStyle().ScrollbarSize;
@@ -95,6 +96,7 @@ void EditWalks::draw_tile(const FormPass& pass, const Box& tile, const Box& view
   const Box body{frame_box.x, frame_box.y, frame_box.width, words.y - frame_box.y};
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const bool under = tile.holds(mouse.x, mouse.y) && view.holds(mouse.x, mouse.y);
+  if (under) hovered_ = name;
   if (under || ui.focus.on("press", target)) {
     figures.walk(body, view, walk, palette.created);
   } else {
@@ -116,7 +118,9 @@ void EditWalks::draw_foot(const FormPass& pass, const Box& box) {
               pass.words(tasks.empty() ? "edit.no_task" : "edit.choose_walk"));
     return;
   }
-  draw_line(ui.look.fonts.bold, words, ui.look.palette.text, chosen_);
+  const bool other = !hovered_.empty() && hovered_ != chosen_;
+  draw_line(other ? ui.look.fonts.text : ui.look.fonts.bold, words,
+            other ? ui.look.palette.quiet : ui.look.palette.text, other ? hovered_ : chosen_);
   std::vector<std::string> names;
   for (const TargetTask& task : tasks) names.push_back(task.name);
   task_ = std::min(task_, tasks.size() - 1);

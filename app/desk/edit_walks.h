@@ -19,7 +19,7 @@ class EditWalks {
   void draw_tile(const FormPass& pass, const Box& tile, const Box& view, int walk,
                  EditFigures& figures);
   void draw_foot(const FormPass& pass, const Box& box);
-  std::string chosen_;
+  std::string chosen_, hovered_;
   std::size_t task_ = 0;              // of those that have targets
   std::vector<std::string> targets_;  // walks that are targets already
 };
