@@ -178,9 +178,13 @@ void name_study(std::vector<Piece>& pieces, const std::string& name) {
 
 }  // namespace
 
+std::string stamp_of_sessions(const StudyPlace& place) {
+  return stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
+}
+
 // The program makes databases and folders there, which are no part of the study.
-std::string stamp_of(const StudyPlace& place) {
-  std::string stamp = stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
+std::string stamp_of_files(const StudyPlace& place) {
+  std::string stamp;
   std::set<std::string> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(place.folder, error)) {
@@ -213,7 +217,7 @@ const std::vector<ShelvedStudy>& StudyShelf::look() {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const StudyPlace place{entry.path()};
     if (place.name().starts_with('.') || !fs::is_regular_file(place.file(), error)) continue;
-    const std::string stamp = stamp_of(place);
+    const std::string stamp = stamp_of_files(place) + stamp_of_sessions(place);
     Known& known = known_[place.folder.string()];
     if (known.stamp != stamp) known = {stamp, read_shelved(place)};
     studies_.push_back(known.study);
