@@ -24,6 +24,13 @@ struct WatchedNote {
   std::string text;
 };
 
+// What became of what a watcher asked for (study/control.h).
+struct WatchedAnswer {
+  std::string request;  // its id
+  bool done = false;
+  std::string why;  // not done: as study::Refused has it
+};
+
 // The trial that is on screen.
 struct WatchedTrial {
   int position = 0;  // in the plan, from 1
@@ -50,6 +57,7 @@ struct WatchedSession {
   WatchedState state = WatchedState::running;
   std::string outcome;  // as stored: "running", "finished", ...
   std::string page;     // to_text of its PageKind; empty: none was shown, or it has ended
+  int page_index = -1;  // in the plan, from 0; -1: outside
   std::optional<WatchedTrial> trial;
   int trials_done = 0;                 // that count
   int trials = 0;                      // in the plan; 0: not known
@@ -61,6 +69,7 @@ struct WatchedSession {
   std::int64_t frames = 0;             // in the trials that have ended; 0: none were counted
   int late_frames = 0;                 // of these
   std::vector<WatchedNote> notes;      // of a session that has not ended
+  std::vector<WatchedAnswer> answers;  // since it is watched
 };
 
 struct Watched {

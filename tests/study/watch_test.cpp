@@ -31,6 +31,10 @@ class WatchTest : public FolderTest {
     store_->write(player_->at(1'000'000 * seconds, std::move(action)));
     store_->flush();
   }
+  void obey(std::int64_t seconds, const std::string& request, decltype(Input::action) action) {
+    store_->write(player_->obey(1'000'000 * seconds, request, std::move(action)));
+    store_->flush();
+  }
   // Second by second to the first trial whose D is measured; returns when it began.
   int to_trial() {
     int seconds = 0;
@@ -146,6 +150,24 @@ TEST_F(WatchTest, TellsNotesAndLateFrames) {
   EXPECT_EQ(session.notes[0].text, "歩く \"slowly\"");
   EXPECT_EQ(session.notes[0].t_us, 1'000'000 * (began + 1));
   EXPECT_EQ(session.trial->late_frames, 1);
+}
+
+TEST_F(WatchTest, TellsWhatBecameOfRequests) {
+  begin();
+  const int began = to_trial();
+  obey(began + 1, "a", Pause{});
+  obey(began + 2, "b", Refused{"skip", "page"});
+  const WatchedSession session = look(began + 2);
+  EXPECT_EQ(session.state, WatchedState::paused) << "a refusal ends no pause";
+  EXPECT_EQ(session.page_index, player_->session.page_index());
+  ASSERT_EQ(session.answers.size(), 2U);
+  EXPECT_TRUE(session.answers[0].done && session.answers[0].request == "a");
+  EXPECT_FALSE(session.answers[1].done);
+  EXPECT_EQ(session.answers[1].request, "b");
+  EXPECT_EQ(session.answers[1].why, "page");
+  obey(began + 3, "c", Stop{"unwell"});
+  store_->end_session(after(began + 3));
+  EXPECT_EQ(look(began + 4).answers.size(), 3U) << "the last one, too";
 }
 
 TEST_F(WatchTest, SeesThatTheProgramDied) {
