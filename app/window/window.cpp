@@ -124,6 +124,10 @@ struct Window::Callbacks {
   static void focus(GLFWwindow* handle, int gained) {
     of(handle).stamp({.kind = UiEvent::Kind::focus, .down = gained == GLFW_TRUE});
   }
+  static void drop(GLFWwindow* handle, int count, const char** paths) {
+    std::vector<std::string>& dropped = of(handle).dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
+  }
   static void size(GLFWwindow* handle, int, int) { of(handle).measure(); }
 };
 
@@ -148,6 +152,7 @@ Window::Window(const WindowOptions& options, InputQueue& queue) : queue_(queue) 
   glfwSetKeyCallback(handle_, Callbacks::key);
   glfwSetCharCallback(handle_, Callbacks::character);
   glfwSetWindowFocusCallback(handle_, Callbacks::focus);
+  glfwSetDropCallback(handle_, Callbacks::drop);
 }
 
 Window::~Window() {
