@@ -75,6 +75,8 @@ struct WatchedSession {
 struct Watched {
   std::string problem;          // why nothing new can be read, a sentence; empty: all is well
   bool is_input_error = false;  // the problem: the file is no database that can be watched
+  bool waits = false;           // the problem: it is not there yet, or being made
+  bool is_locked = false;       // the problem: another program holds it at this moment
   std::string study, version;   // of the newest version
   int planned = 0;              // participants; 0: not said
   int finished = 0;             // participants, neither pilot nor simulated

@@ -61,6 +61,7 @@ class WatchTest : public FolderTest {
 
 TEST_F(WatchTest, WaitsForAFileThatIsNotThereYet) {
   EXPECT_NE(watch_.look(after(0)).problem.find("is not there yet"), std::string::npos);
+  EXPECT_TRUE(watch_.look(after(0)).waits);
   begin();
   at(1, Continue{});
   EXPECT_EQ(watch_.look(after(1)).problem, "");
@@ -245,12 +246,24 @@ TEST_F(WatchTest, ForgetsAFileThatWentAwayOrWasReplaced) {
   EXPECT_NE(watch_.look(after(2)).problem, "");
 }
 
+TEST_F(WatchTest, SaysThatAnotherProgramHoldsTheFile) {
+  toy::make_station(file(), {"P01"});
+  Database holder(file(), Database::Mode::read_write);
+  holder.exec("PRAGMA journal_mode = DELETE; BEGIN EXCLUSIVE");
+  const Watched& now = watch_.look(after(0));
+  EXPECT_TRUE(now.is_locked) << now.problem;
+  EXPECT_NE(now.problem, "");
+  holder.exec("COMMIT");
+  EXPECT_EQ(watch_.look(after(1)).problem, "");
+}
+
 TEST_F(WatchTest, SaysWhatIsWrongWithTheFile) {
   std::ofstream(file()) << "no database at all, but text that is long enough to be looked at\n";
   EXPECT_NE(watch_.look(after(0)).problem.find("is not a database"), std::string::npos);
   EXPECT_TRUE(watch_.look(after(0)).is_input_error);
   std::filesystem::remove(file());
   begin();
+  EXPECT_FALSE(watch_.look(after(0)).is_locked);
   execute("PRAGMA user_version = 99");
   store_->flush();
   EXPECT_NE(watch_.look(after(0)).problem.find("newer Promenade"), std::string::npos);
