@@ -169,21 +169,35 @@ void draw_arc(const Ui& ui, const ImVec2& centre, float radius, double share, co
   list->PathStroke(packed(colour), ImDrawFlags_None, ui.layout.size(9));
 }
 
+// Within the ring, or beside it where it is too small.
+void draw_time(const Ui& ui, const Texts& texts, const WatchedTrial& trial, bool limited,
+               const Box& box, bool beside) {
+  const Palette& palette = ui.look.palette;
+  const float high = line_of(ui.look.fonts.title);
+  const Align align = beside ? Align::left : Align::centre;
+  draw_text(ui.look.fonts.title, {box.x, box.middle_y() - 0.8f * high, box.width, high},
+            palette.text,
+            duration_words(texts, limited ? std::ceil(*trial.left_s()) : trial.seconds), align);
+  draw_text(ui.look.fonts.text, {box.x, box.middle_y() + 0.1f * high, box.width, high},
+            palette.quiet, texts(limited ? "watch.time_left" : "watch.time_so_far"), align);
+}
+
 // The time left of the limit; without one the time so far.
 void draw_ring(const Ui& ui, const Texts& texts, const WatchedSession& session, const Box& box) {
   const Palette& palette = ui.look.palette;
   const WatchedTrial& trial = *session.trial;
-  const float radius = 0.5f * std::min(box.width, box.height) - ui.layout.size(6);
-  const ImVec2 centre{box.middle_x(), box.middle_y()};
-  const std::optional<double> left = trial.left_s();
-  const bool limited = left && *trial.limit_s > 0;
+  const float size = std::min(box.width, box.height);
+  const bool beside = size < 4.2f * ui.look.fonts.title->FontSize;
+  const float wide = beside ? 0.75f * size + ui.layout.size(96) : size;
+  const Box ring{box.middle_x() - 0.5f * wide, box.y, size, box.height};
+  const float radius = 0.5f * size - ui.layout.size(6);
+  const ImVec2 centre{ring.middle_x(), box.middle_y()};
+  const bool limited = trial.limit_s && *trial.limit_s > 0;
   draw_arc(ui, centre, radius, 1, palette.track);
-  if (limited) draw_arc(ui, centre, radius, *left / *trial.limit_s, palette.created);
-  const float high = line_of(ui.look.fonts.title);
-  draw_text(ui.look.fonts.title, {box.x, centre.y - 0.8f * high, box.width, high}, palette.text,
-            duration_words(texts, limited ? std::ceil(*left) : trial.seconds), Align::centre);
-  draw_text(ui.look.fonts.text, {box.x, centre.y + 0.1f * high, box.width, high}, palette.quiet,
-            texts(limited ? "watch.time_left" : "watch.time_so_far"), Align::centre);
+  if (limited) draw_arc(ui, centre, radius, *trial.left_s() / *trial.limit_s, palette.created);
+  const float right = ring.right() + ui.layout.size(10);
+  const Box words = beside ? Box{right, box.y, box.right() - right, box.height} : box;
+  draw_time(ui, texts, trial, limited, words, beside);
   place(ui, "ring", session.uuid, box, false);
 }
 
@@ -226,8 +240,6 @@ void draw_session_card(const Ui& ui, const Texts& texts, const WatchedSession& s
                        const Box& box, const CardLook& look) {
   const Palette& palette = ui.look.palette;
   fill(box, palette.on_colour);
-  if (look.chosen) frame(box, palette.created, ui.layout.size(3));
-  if (wants_help(session)) frame(box, palette.alarm, ui.layout.size(3));
   place(ui, "session", session.uuid, box, false);
   const float inset = ui.layout.size(14);
   const float bar = ui.layout.size(10);
@@ -241,6 +253,8 @@ void draw_session_card(const Ui& ui, const Texts& texts, const WatchedSession& s
                  inner.height});
   draw_health(ui, texts, session, {inner.right() - health, inner.y, health, inner.height});
   draw_progress(ui, session, {box.x, box.bottom() - bar, box.width, bar});
+  if (look.chosen) frame(box, palette.created, ui.layout.size(3));
+  if (wants_help(session)) frame(box, palette.alarm, ui.layout.size(3));
 }
 
 }  // namespace promenade::app

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "app/desk/words.h"
 #include "app/monitor_words.h"
@@ -62,6 +63,18 @@ void draw_card(const Ui& ui, const Texts& texts, const WatchedSession& session, 
   draw_session_card(ui, texts, session, box, {session.uuid == *chosen, true});
 }
 
+// With the gaps below. The chosen one has room for its notes.
+std::vector<float> card_heights(const Ui& ui, const Watched& now, float room, int count,
+                                const std::string* chosen) {
+  const float each =
+      std::clamp(room / static_cast<float>(count), ui.layout.size(170), ui.layout.size(300));
+  std::vector<float> heights(static_cast<std::size_t>(count), each);
+  for (std::size_t i = 0; i < heights.size() && chosen != nullptr; ++i) {
+    if (now.sessions[i].uuid == *chosen) heights[i] = std::max(each, ui.layout.size(250));
+  }
+  return heights;
+}
+
 void draw_sessions(const Ui& ui, const Texts& texts, const Watched& now, const Box& box,
                    std::string* chosen) {
   const float top = draw_problem(ui, texts, now, box);
@@ -72,14 +85,13 @@ void draw_sessions(const Ui& ui, const Texts& texts, const Watched& now, const B
   }
   if (count == 0) return;
   const Box room{box.x, top, box.width, box.bottom() - top};
-  const float gap = ui.layout.size(10);
-  const float step =
-      std::clamp(room.height / static_cast<float>(count), ui.layout.size(170), ui.layout.size(300));
-  scrolled("sessions", room, step * static_cast<float>(count), [&](const Box& inner) {
-    for (int i = 0; i < count; ++i) {
-      const float y = inner.y + static_cast<float>(i) * step;
-      draw_card(ui, texts, now.sessions[static_cast<std::size_t>(i)],
-                {inner.x, y, inner.width, step - gap}, chosen);
+  const std::vector<float> heights = card_heights(ui, now, room.height, count, chosen);
+  const float high = std::accumulate(heights.begin(), heights.end(), 0.0f);
+  scrolled("sessions", room, high, [&](const Box& inner) {
+    float y = inner.y;
+    for (std::size_t i = 0; i < heights.size(); y += heights[i++]) {
+      draw_card(ui, texts, now.sessions[i],
+                {inner.x, y, inner.width, heights[i] - ui.layout.size(10)}, chosen);
     }
   });
 }

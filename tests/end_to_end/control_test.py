@@ -45,8 +45,9 @@ class Control(ProgramTest):
 
     def start(self):
         environment = {**os.environ, "DISPLAY": self.open_display()}
+        # A quick reader: four seconds to the first task.
         session = subprocess.Popen(
-            [PROMENADE, "run", "asked.toml", "--db", "x.db", "--windowed", "--autopilot", "3"],
+            [PROMENADE, "run", "asked.toml", "--db", "x.db", "--windowed", "--autopilot", "41"],
             cwd=self.folder, env=environment, stdout=subprocess.DEVNULL)
         self.addCleanup(session.wait)
         self.addCleanup(session.kill)
@@ -72,12 +73,15 @@ class Control(ProgramTest):
             time.sleep(0.05)
         self.fail(f"{what}: was not seen")
 
+    def append(self, text):
+        with open(self.control, "a", encoding="utf-8") as control:
+            control.write(text)
+
     def ask(self, session, do, **more):
         """Its id, as soon as it was written."""
         now = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
         request = {"id": str(uuid.uuid4()), "session": session, "do": do, "written_utc": now, **more}
-        with open(self.control, "a", encoding="utf-8") as control:
-            control.write(json.dumps(request) + "\n")
+        self.append(json.dumps(request) + "\n")
         return request["id"]
 
     def answer(self, request):
@@ -88,10 +92,11 @@ class Control(ProgramTest):
 
     def test_a_session_does_what_it_is_asked_for(self):
         program = self.start()
-        session, = self.wait_for("a trial", "SELECT session FROM trial")
+        session, = self.wait_for(
+            "the first task", "SELECT session FROM event WHERE target = 'instructions'")
         self.assertEqual(self.answer(self.ask(session, "pause")), ("pause", None))
         self.assertEqual(self.answer(self.ask(session, "note", text="the phone rang"))[0], "note")
-        self.control.open("a").write("{ broken\n" + "\0" * 5000 + "\n")
+        self.append("{ broken\n" + "\0" * 5000 + "\n")
         self.assertEqual(self.answer(self.ask(session, "skip", reason="noise", page=9999)),
                          ("request_refused", "skip"))
         self.assertEqual(self.answer(self.ask(session, "skip", reason="noise"))[0], "skip")
