@@ -89,6 +89,20 @@ void require_display(int screen) {
   display(screen);
 }
 
+std::vector<std::string> display_names() {
+  start_glfw();
+  std::vector<std::string> names;
+  for (GLFWmonitor* monitor : displays()) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    std::string name = std::to_string(names.size() + 1) + ": " + glfwGetMonitorName(monitor);
+    if (mode != nullptr) {
+      name += ", " + std::to_string(mode->width) + " x " + std::to_string(mode->height);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
 int another_display(int screen) {
   const std::vector<GLFWmonitor*> monitors = displays();
   if (monitors.size() < 2) {

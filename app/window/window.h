@@ -17,6 +17,8 @@ namespace promenade::app {
 // counts from 1; 0: the first one. Opens none. Throws OutsideError with what to do when
 // there is not.
 void require_display(int screen = 0);
+// "1: DP-1, 1920 x 1080" and so on. Throws OutsideError without a display.
+std::vector<std::string> display_names();
 // A display beside that one, from 1; throws OutsideError when there is only one.
 int another_display(int screen);
 
