@@ -34,7 +34,7 @@ void draw_finished_bar(const Ui& ui, const Watched& now, const Box& box) {
 float draw_head(const Ui& ui, const Texts& texts, const Watched& now, const Box& room) {
   const Palette& palette = ui.look.palette;
   const Box line{room.x, room.y, room.width, ui.layout.size(48)};
-  const std::string finished = finished_words(texts, now);
+  const std::string finished = now.study.empty() ? "" : finished_words(texts, now);
   const float wide = text_width(ui.look.fonts.title, finished);
   const std::string title = now.study.empty() ? "Promenade" : now.study;
   draw_line(ui.look.fonts.heading,
@@ -49,6 +49,10 @@ float draw_head(const Ui& ui, const Texts& texts, const Watched& now, const Box&
 // Returns where the next begins.
 float draw_problem(const Ui& ui, const Texts& texts, const Watched& now, const Box& box) {
   if (now.problem.empty()) return box.y;
+  if (now.waits && now.sessions.empty()) {
+    draw_text(ui.look.fonts.title, box, ui.look.palette.quiet, texts("watch.waits"), Align::centre);
+    return box.bottom();
+  }
   const Palette& palette = ui.look.palette;
   const float high =
       draw_paragraphs(ui.look.fonts.title, box.x, box.y, box.width,
@@ -67,7 +71,7 @@ void draw_card(const Ui& ui, const Texts& texts, const WatchedSession& session, 
 std::vector<float> card_heights(const Ui& ui, const Watched& now, float room, int count,
                                 const std::string* chosen) {
   const float each =
-      std::clamp(room / static_cast<float>(count), ui.layout.size(170), ui.layout.size(300));
+      std::clamp(room / static_cast<float>(count), ui.layout.size(170), ui.layout.size(360));
   std::vector<float> heights(static_cast<std::size_t>(count), each);
   for (std::size_t i = 0; i < heights.size() && chosen != nullptr; ++i) {
     if (now.sessions[i].uuid == *chosen) heights[i] = std::max(each, ui.layout.size(250));

@@ -202,6 +202,7 @@ void SessionView::take_requests(std::int64_t now_us) {
   const bool can = options_.requests != nullptr && live_.recorded() && queue_.empty() && !ended();
   if (!can || now_us - asked_us_ < ask_period_us) return;
   asked_us_ = now_us;
+  if (!options_.requests->waiting()) return;
   const study::RequestReader::News news =
       options_.requests->take(live_.store().session(), study::utc_now());
   const Moment moment{.t_us = now_us, .frame_us = shown_us_};

@@ -164,9 +164,11 @@ bool RequestReader::reopen() {
   return ::fstat(handle_, &open) == 0 && S_ISREG(open.st_mode) && same_file(there, open);
 }
 
+bool RequestReader::waiting() { return reopen() && size_ != offset_; }
+
 RequestReader::News RequestReader::take(const std::string& session, const std::string& now_utc) {
   News news;
-  if (!reopen() || size_ == offset_) return news;
+  if (!waiting()) return news;
   if (size_ < offset_ || size_ - offset_ > most_behind) {
     const bool shorter = size_ < offset_;
     news.broken = !shorter && !had_broken_;

@@ -65,8 +65,9 @@ class RequestReader {
     std::vector<Request> asked, late;  // late: too old to be done
     bool broken = false;               // a line could not be read; said once
   };
-  // What is new for the session of this uuid. Costs a stat while there is nothing new, never
-  // waits, and throws nothing, whatever lies there.
+  // Is there anything that was not read yet? Costs a stat and no memory.
+  bool waiting();
+  // What is new for the session of this uuid. Never waits, and throws nothing, whatever lies there.
   News take(const std::string& session, const std::string& now_utc);
 
  private:
