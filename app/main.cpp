@@ -4,6 +4,8 @@
 #include <exception>
 
 #include "app/commands.h"
+#include "app/desk/desk_window.h"
+#include "app/desk/words.h"
 #include "app/usage_error.h"
 #include "motion/problem.h"
 
@@ -14,13 +16,16 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "promenade " PROMENADE_VERSION);
   program.require_subcommand(0, 1);
   program.failure_message(promenade::app::usage_error);
-  program.callback([&program] {
-    if (!program.get_subcommands().empty()) return;
-    throw promenade::OutsideError(
-        "the desk is not in this version yet; `promenade run configs/demo.toml` starts a study, "
-        "`promenade --help` lists the commands");
-  });
   namespace app = promenade::app;
+  app::DeskWindowSetting desk;
+  desk.language = app::language_of_system();
+  program.add_option("--studies", desk.studies, "the folder of the studies that the desk shows");
+  program.add_option("--language", desk.language, "of the desk: en or ja")
+      ->check(CLI::IsMember(app::desk_languages()));
+  program.footer("Without a command the desk is opened: studies are made, run and watched there.");
+  program.callback([&] {
+    if (program.get_subcommands().empty()) app::open_desk(desk);
+  });
   const app::Command root(&program);
   app::add_check_command(root);
   app::add_plan_command(root);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/monitor_words.h"
+#include "app/scroll_area.h"
 
 namespace promenade::app {
 namespace {
@@ -18,18 +19,6 @@ int count_ended(const Watched& now) {
   return static_cast<int>(
       std::count_if(now.sessions.begin(), now.sessions.end(),
                     [](const WatchedSession& one) { return one.state == WatchedState::ended; }));
-}
-
-// A part of the window that the wheel scrolls; `high` is how much there is to see.
-template <typename Draw>
-void scrolled(const char* name, const Box& box, float high, const Draw& draw) {
-  ImGui::SetCursorScreenPos({box.x, box.y});
-  ImGui::BeginChild(name, {box.width, box.height}, false, ImGuiWindowFlags_NoBackground);
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float bar = high > box.height ? ImGui::GetStyle().ScrollbarSize : 0;
-  draw(Box{at.x, at.y, box.width - bar, high});
-  ImGui::SetCursorScreenPos({at.x, at.y + high});
-  ImGui::EndChild();
 }
 
 void draw_finished_bar(const Ui& ui, const Watched& now, const Box& box) {

@@ -1,44 +1,17 @@
 #include "app/monitor_window.h"
 
-#include <memory>
-#include <optional>
-#include <set>
-
 #include "app/figure/renderer.h"
 #include "app/monitor_view.h"
 #include "app/print.h"
 #include "app/registry.h"
 #include "app/window/frame_loop.h"
-#include "app/window/gui_renderer.h"
+#include "app/window/growing_gui.h"
 #include "study/identity.h"
 
 namespace promenade::app {
 namespace {
 
 constexpr std::int64_t period_us = 500'000;  // at most so often the database is looked at
-
-// Codes and notes bring characters that no font was made with: then it is made anew.
-class MadeFonts {
- public:
-  Gui& gui_for(const study::Watched& now, const Window& window) {
-    bool more = !gui_;
-    for (const std::string& word : shown_words(now)) more |= words_.insert(word).second;
-    if (more) {
-      renderer_.reset();
-      gui_.emplace(make_palette(false), std::vector<std::string>(words_.begin(), words_.end()));
-      renderer_ = std::make_unique<GuiRenderer>();
-    }
-    gui_->use();
-    if (gui_->fit(window.width(), window.height())) renderer_->upload_fonts();
-    return *gui_;
-  }
-  GuiRenderer& renderer() { return *renderer_; }
-
- private:
-  std::set<std::string> words_;
-  std::optional<Gui> gui_;
-  std::unique_ptr<GuiRenderer> renderer_;
-};
 
 }  // namespace
 
@@ -55,7 +28,7 @@ void watch_in_window(const std::string& database, int screen) {
   study::Watch watch(database, interfaces());
   const study::Watched* now = nullptr;
   std::int64_t looked_us = 0;
-  MadeFonts fonts;
+  GrowingGui fonts(make_palette(false));
   FigureRenderer ground;
   MonitorView view(queue);
   const auto draw = [&](std::int64_t now_us) {
@@ -63,7 +36,7 @@ void watch_in_window(const std::string& database, int screen) {
       now = &watch.look(study::utc_now());
       looked_us = now_us;
     }
-    Gui& gui = fonts.gui_for(*now, window);
+    Gui& gui = fonts.gui_for(shown_words(*now), window);
     ground.begin(window.width(), window.height(), gui.look().palette.background);
     view.frame(gui, *now);
     fonts.renderer().draw();

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 
 namespace promenade::app {
 namespace {
@@ -42,8 +43,9 @@ Json to_json(const Problem& problem) {
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 void show_progress(const std::string& what, int done, int count) {
-  if (::isatty(STDERR_FILENO) == 0) return;
-  const char end = done == count ? '\n' : '\r';
+  static const bool asked = std::getenv("PROMENADE_PROGRESS") != nullptr;
+  if (!asked && ::isatty(STDERR_FILENO) == 0) return;
+  const char end = asked || done == count ? '\n' : '\r';
   std::fputs(fmt::format("  {} {} of {} {}", what, done, count, end).c_str(), stderr);
   std::fflush(stderr);
 }

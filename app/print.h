@@ -22,7 +22,8 @@ void print_problems(const std::vector<Problem>& problems);  // to stderr
 Json to_json(const Problem& problem);
 Json to_json(const std::optional<double>& value);  // null: nothing
 
-// "  done 12 of 40" on stderr, over itself, when that is a terminal.
+// "  done 12 of 40" on stderr, over itself, when that is a terminal; for a program that started this
+// one and set PROMENADE_PROGRESS, a line of its own.
 void show_progress(const std::string& what, int done, int count);
 
 // True once Ctrl-C was pressed, the program told to end (SIGTERM) or its terminal

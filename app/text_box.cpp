@@ -85,6 +85,7 @@ void write(const Ui& ui, std::string_view target, const Box& box, Draft& draft,
   if (focused && ui.focus.arrived()) ImGui::SetKeyboardFocusHere();
   input(ui, box, options, writing);
   if (ImGui::IsItemActivated() && !focused) ui.focus.take("type", target);
+  draft.entered = !options.several && draft.active && key_pressed(ImGuiKey_Enter, false);
   draft.active = ImGui::IsItemActive();
   ImGui::PopID();
   ImGui::PopFont();

@@ -17,6 +17,7 @@ struct Draft {
   bool begun = false;           // it has taken over what was there before
   bool active = false;          // the keyboard writes in it
   bool changed = false;         // in this frame
+  bool entered = false;         // Enter was pressed in it, in this frame; of one line only
   std::int64_t changed_us = 0;  // when it did so last
 };
 

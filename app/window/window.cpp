@@ -89,6 +89,20 @@ void require_display(int screen) {
   display(screen);
 }
 
+std::vector<std::string> display_names() {
+  start_glfw();
+  std::vector<std::string> names;
+  for (GLFWmonitor* monitor : displays()) {
+    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+    std::string name = std::to_string(names.size() + 1) + ": " + glfwGetMonitorName(monitor);
+    if (mode != nullptr) {
+      name += ", " + std::to_string(mode->width) + " x " + std::to_string(mode->height);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
 int another_display(int screen) {
   const std::vector<GLFWmonitor*> monitors = displays();
   if (monitors.size() < 2) {
@@ -124,6 +138,10 @@ struct Window::Callbacks {
   static void focus(GLFWwindow* handle, int gained) {
     of(handle).stamp({.kind = UiEvent::Kind::focus, .down = gained == GLFW_TRUE});
   }
+  static void drop(GLFWwindow* handle, int count, const char** paths) {
+    std::vector<std::string>& dropped = of(handle).dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
+  }
   static void size(GLFWwindow* handle, int, int) { of(handle).measure(); }
 };
 
@@ -148,6 +166,7 @@ Window::Window(const WindowOptions& options, InputQueue& queue) : queue_(queue) 
   glfwSetKeyCallback(handle_, Callbacks::key);
   glfwSetCharCallback(handle_, Callbacks::character);
   glfwSetWindowFocusCallback(handle_, Callbacks::focus);
+  glfwSetDropCallback(handle_, Callbacks::drop);
 }
 
 Window::~Window() {

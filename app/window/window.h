@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/window/input_queue.h"
@@ -16,6 +17,8 @@ namespace promenade::app {
 // counts from 1; 0: the first one. Opens none. Throws OutsideError with what to do when
 // there is not.
 void require_display(int screen = 0);
+// "1: DP-1, 1920 x 1080" and so on. Throws OutsideError without a display.
+std::vector<std::string> display_names();
 // A display beside that one, from 1; throws OutsideError when there is only one.
 int another_display(int screen);
 
@@ -42,6 +45,8 @@ class Window {
   // From now on each stretch in which nobody asked for events is noted here, microseconds;
   // null: no longer.
   void note_gaps(std::vector<std::int64_t>* gaps_us) { gaps_us_ = gaps_us; }
+  // Files and folders that were dropped on it since this was last asked.
+  std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
   void use();            // what is drawn now goes to this window
   bool closing() const;  // the person closed it
   void close();
@@ -61,6 +66,7 @@ class Window {
   GLFWwindow* handle_ = nullptr;
   InputQueue& queue_;
   std::int64_t last_poll_us_ = 0;
+  std::vector<std::string> dropped_;
   std::vector<std::int64_t>* gaps_us_ = nullptr;
   int width_ = 0, height_ = 0;
   double pixels_per_unit_ = 1;  // framebuffer pixels in a unit of the window system

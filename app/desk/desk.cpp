@@ -1,0 +1,180 @@
+#include "app/desk/desk.h"
+
+#include <fmt/format.h>
+
+#include "app/desk/desk_foot.h"
+#include "app/desk/pages.h"
+#include "app/desk/words.h"
+
+namespace promenade::app {
+namespace {
+
+constexpr DeskPlace first_of_study = DeskPlace::edit;
+
+std::map<std::string, study::Texts, std::less<>> all_texts() {
+  std::map<std::string, study::Texts, std::less<>> texts;
+  for (const std::string& language : desk_languages()) {
+    texts.emplace(language, desk_texts(language));
+  }
+  return texts;
+}
+
+}  // namespace
+
+Desk::Desk(DeskSetting setting, InputQueue& queue)
+    : setting_(std::move(setting)),
+      shelf_(setting_.studies),
+      jobs_(setting_.program.empty() ? own_program() : setting_.program),
+      services_{.jobs = jobs_,
+                .shelf = shelf_,
+                .displays = setting_.displays,
+                .open = [this](const study::StudyPlace& study) { open(study); },
+                .go = [this](DeskPlace place) { go(place); },
+                .show = setting_.show},
+      language_(setting_.language),
+      words_(all_texts()),
+      page_(queue) {}
+
+Desk::~Desk() = default;
+
+void Desk::open(const study::StudyPlace& study) {
+  study_ = study;
+  place_ = first_of_study;
+  page_.focus().leave();
+}
+
+void Desk::go(DeskPlace place) {
+  if (place >= first_of_study && !study_) return;
+  place_ = place;
+  page_.focus().leave();
+}
+
+DeskPage& Desk::page() {
+  const bool of_study = place_ >= first_of_study;
+  std::unique_ptr<DeskPage>& page =
+      pages_[of_study ? study_->folder.string() : ""][static_cast<std::size_t>(place_)];
+  if (!page) page = make_page(place_);
+  return *page;
+}
+
+std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
+  switch (place) {
+    case DeskPlace::studies:
+      return make_studies_page(services_);
+    case DeskPlace::plan:
+      return make_plan_page(services_, *study_);
+    case DeskPlace::rehearse:
+      return make_rehearse_page(services_, *study_);
+    case DeskPlace::run:
+      return make_run_page(services_, *study_);
+    case DeskPlace::results:
+      return make_results_page(services_, *study_);
+    case DeskPlace::takes:
+    case DeskPlace::edit:
+    case DeskPlace::watch:
+      break;
+  }
+  return make_studies_page(services_);
+}
+
+void Desk::advance(std::int64_t now_us) {
+  jobs_.look();
+  page().advance(now_us);
+}
+
+void Desk::draw_figures(FigureRenderer& renderer, const Gui& gui) {
+  page().draw_figures(renderer, gui);
+}
+
+void Desk::dropped(const std::vector<std::string>& paths) { page().dropped(paths); }
+
+bool Desk::moves() const {
+  const auto pages = pages_.find(place_ >= first_of_study && study_ ? study_->folder.string() : "");
+  if (pages == pages_.end()) return true;
+  const std::unique_ptr<DeskPage>& page = pages->second[static_cast<std::size_t>(place_)];
+  return !page || page->moves() || jobs_.busy();
+}
+
+void Desk::frame(Gui& gui) {
+  page_.frame(gui, [this](const Ui& ui) { draw(ui); });
+}
+
+void Desk::draw(const Ui& ui) {
+  hear_keys();
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float head = ui.layout.size(56);
+  const DeskJob* const job = jobs_.shown();
+  const float foot = job != nullptr || !jobs_.trouble().empty() ? ui.layout.size(48) : 0;
+  draw_tabs(ui, {0, 0, size.x, head});
+  page().draw(ui, words_.at(language_), {0, head, size.x, size.y - head - foot});
+  if (foot > 0) draw_desk_foot(ui, words_.at(language_), jobs_, {0, size.y - foot, size.x, foot});
+}
+
+// Ctrl and a number: the places from left to right.
+void Desk::hear_keys() {
+  if (!ImGui::GetIO().KeyCtrl) return;
+  for (int i = 0; i < static_cast<int>(desk_places); ++i) {
+    if (ImGui::IsKeyPressed('1' + i, false)) return go(static_cast<DeskPlace>(i));
+  }
+}
+
+void Desk::draw_tab(const Ui& ui, DeskPlace place, Box& left) {
+  const std::string& label = words_.at(language_)("shell." + std::string(to_text(place)));
+  const bool here = place == place_;
+  ImFont* const font = here ? ui.look.fonts.bold : ui.look.fonts.text;
+  const float width = text_width(font, label) + ui.layout.size(28);
+  const Box box{left.x, left.y, width, left.height};
+  if (small_button(ui, "go", to_text(place), box, here ? "" : label)) go(place);
+  if (here) {
+    draw_text(font, box, ui.look.palette.text, label, Align::centre);
+    const float thick = ui.layout.size(4);
+    fill({box.x, box.bottom() - thick, box.width, thick}, ui.look.palette.created);
+  }
+  left.x += width;
+}
+
+void Desk::draw_tabs(const Ui& ui, const Box& bar) {
+  const Palette& palette = ui.look.palette;
+  fill(bar, palette.panel);
+  fill({bar.x, bar.bottom() - ui.layout.size(1), bar.width, ui.layout.size(1)}, palette.line);
+  Box left{bar.x + ui.layout.size(8), bar.y, bar.width, bar.height};
+  draw_tab(ui, DeskPlace::studies, left);
+  draw_tab(ui, DeskPlace::takes, left);
+  const std::string& other = words_.at(language_)("shell.other_language");
+  const float wide = text_width(ui.look.fonts.text, other) + ui.layout.size(28);
+  const Box right{bar.right() - wide - ui.layout.size(8), bar.y, wide, bar.height};
+  if (small_button(ui, "press", "language", right, other)) change_language();
+  if (!study_) return;
+  left.x += ui.layout.size(12);
+  fill({left.x, bar.y + ui.layout.size(14), ui.layout.size(1), ui.layout.size(28)}, palette.line);
+  left.x += ui.layout.size(16);
+  const std::string name = study_->name();
+  const float room = std::min(text_width(ui.look.fonts.bold, name), ui.layout.size(240));
+  draw_line(ui.look.fonts.bold, {left.x, bar.y, room, bar.height}, palette.created, name);
+  left.x += room + ui.layout.size(12);
+  for (auto place = static_cast<std::size_t>(first_of_study); place < desk_places; ++place) {
+    draw_tab(ui, static_cast<DeskPlace>(place), left);
+  }
+}
+
+void Desk::change_language() { language_ = language_ == "en" ? "ja" : "en"; }
+
+std::vector<std::string> Desk::shown_words() const {
+  std::vector<std::string> words;
+  for (const auto& [language, texts] : words_) {
+    for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  }
+  if (study_) words.push_back(study_->name());
+  const auto add = [&](const Pages& pages) {
+    for (const std::unique_ptr<DeskPage>& page : pages) {
+      if (!page) continue;
+      const std::vector<std::string>& more = page->shown_words();
+      words.insert(words.end(), more.begin(), more.end());
+    }
+  };
+  for (const auto& [folder, pages] : pages_) add(pages);
+  if (const DeskJob* job = jobs_.shown()) words.push_back(job->job->messages());
+  return words;
+}
+
+}  // namespace promenade::app

@@ -1,0 +1,75 @@
+// The desk: the experimenter's window, where a study is made, checked, rehearsed, run and watched.
+// At the top are the places where one can be, in the middle the page of one of them, at the foot
+// what runs beside. Needs no window itself, so that tests drive it.
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/desk/page.h"
+#include "app/desk/services.h"
+#include "app/tool_page.h"
+
+namespace promenade::app {
+
+struct DeskSetting {
+  std::string studies;                // the folder of them
+  std::string language = "en";        // of desk_languages()
+  std::string program;                // that runs commands; empty: this one
+  std::vector<std::string> displays;  // their names, for the participant's window
+  // Shows a file with whatever the system has for it.
+  std::function<void(const std::string& path)> show;
+};
+
+class Desk {
+ public:
+  // The queue outlives it.
+  Desk(DeskSetting setting, InputQueue& queue);
+  ~Desk();
+
+  void advance(std::int64_t now_us);
+  void draw_figures(FigureRenderer& renderer, const Gui& gui);
+  void frame(Gui& gui);
+  void dropped(const std::vector<std::string>& paths);
+
+  void go(DeskPlace place);
+  void open(const study::StudyPlace& study);
+  DeskPlace place() const { return place_; }
+  // Figures walk, or something waits to be shown.
+  bool moves() const;
+  // A person is taking part at this machine: be quiet.
+  bool session_runs() const { return jobs_.session(); }
+  // What may be shown now, for the characters of the fonts.
+  std::vector<std::string> shown_words() const;
+  const WidgetMap& widgets() const { return page_.widgets(); }
+  const Focus& focus() const { return page_.focus(); }
+  DeskJobs& jobs() { return jobs_; }
+
+ private:
+  using Pages = std::array<std::unique_ptr<DeskPage>, desk_places>;
+
+  DeskPage& page();
+  std::unique_ptr<DeskPage> make_page(DeskPlace place);
+  void draw(const Ui& ui);
+  void draw_tabs(const Ui& ui, const Box& bar);
+  void draw_tab(const Ui& ui, DeskPlace place, Box& left);
+  void hear_keys();
+  void change_language();
+
+  DeskSetting setting_;
+  study::StudyShelf shelf_;
+  DeskJobs jobs_;
+  DeskServices services_;
+  std::string language_;
+  std::map<std::string, study::Texts, std::less<>> words_;  // by language
+  DeskPlace place_ = DeskPlace::studies;
+  std::optional<study::StudyPlace> study_;
+  std::map<std::string, Pages> pages_;  // by the study's folder; "": those without a study
+  ToolPage page_;
+};
+
+}  // namespace promenade::app

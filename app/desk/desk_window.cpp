@@ -1,0 +1,129 @@
+#include "app/desk/desk_window.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
+#include "app/desk/desk.h"
+#include "app/desk/words.h"
+#include "app/print.h"
+#include "app/window/frame_loop.h"
+#include "app/window/growing_gui.h"
+#include "motion/problem.h"
+
+namespace promenade::app {
+namespace {
+
+std::string variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : "";
+}
+
+// Whoever opens it goes on without the desk.
+void show_with_system(const std::string& path) {
+  const std::string chosen = variable("PROMENADE_OPENER");
+  std::string program = chosen.empty() ? "xdg-open" : chosen;
+  std::string file = path;
+  char* words[] = {program.data(), file.data(), nullptr};
+  posix_spawn_file_actions_t files{};
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t process = 0;
+  const int error = ::posix_spawnp(&process, program.c_str(), &files, nullptr, words, environ);
+  posix_spawn_file_actions_destroy(&files);
+  if (error != 0) throw OutsideError(program + " is not installed; open " + path + " yourself");
+}
+
+// Drawn at the pace of the display while something moves or somebody works with it; a few times a
+// second else, and while a person takes part at this machine.
+class DeskWindow {
+ public:
+  explicit DeskWindow(const DeskWindowSetting& setting)
+      : window_({.title = "Promenade", .windowed = true}, queue_),
+        fonts_(make_palette(false)),
+        desk_({.studies = setting.studies.empty() ? default_studies_folder() : setting.studies,
+               .language = setting.language,
+               .program = "",
+               .displays = display_names(),
+               .show = show_with_system},
+              queue_) {
+    queue_.watch([this](const UiEvent& event) { touched_us_ = event.t_us; });
+  }
+
+  void work() {
+    constexpr std::int64_t calm_period_us = 250'000;
+    while (!ended()) {
+      run_frames(window_, {.draw_figures = [this](std::int64_t now_us) { draw_figures(now_us); },
+                           .draw_screen = [this](std::int64_t) { draw_screen(); },
+                           .shown = [](const ShownFrame&) {},
+                           .ended = [this] { return ended() || !lively(); }});
+      const auto draw = [this](std::int64_t now_us) {
+        draw_figures(now_us);
+        draw_screen();
+      };
+      run_slowly(
+          window_, draw, [this] { return ended() || lively(); }, calm_period_us);
+    }
+  }
+
+ private:
+  bool ended() const { return window_.closing() || interrupted(); }
+  bool lively() const {
+    constexpr std::int64_t patience_us = 2'000'000;
+    return !desk_.session_runs() && (desk_.moves() || now_us_ - touched_us_ < patience_us);
+  }
+  void draw_figures(std::int64_t now_us) {
+    now_us_ = now_us;
+    const std::vector<std::string> dropped = window_.take_dropped();
+    if (!dropped.empty()) desk_.dropped(dropped);
+    desk_.advance(now_us);
+    gui_ = &fonts_.gui_for(desk_.shown_words(), window_);
+    renderer_.begin(window_.width(), window_.height(), gui_->look().palette.background);
+    desk_.draw_figures(renderer_, *gui_);
+  }
+  void draw_screen() {
+    desk_.frame(*gui_);
+    fonts_.renderer().draw();
+  }
+
+  InputQueue queue_;
+  Window window_;
+  GrowingGui fonts_;
+  FigureRenderer renderer_;
+  Desk desk_;
+  Gui* gui_ = nullptr;
+  std::int64_t now_us_ = 0, touched_us_ = 0;
+};
+
+}  // namespace
+
+std::string default_studies_folder() {
+  const std::string chosen = variable("PROMENADE_STUDIES");
+  if (!chosen.empty()) return chosen;
+  const std::string home = variable("HOME");
+  return home.empty() ? "Promenade" : home + "/Promenade";
+}
+
+std::string language_of_system() {
+  for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+    const std::string value = variable(name);
+    if (value.empty()) continue;
+    for (const std::string& language : desk_languages()) {
+      if (value.starts_with(language)) return language;
+    }
+    return "en";
+  }
+  return "en";
+}
+
+void open_desk(const DeskWindowSetting& setting) {
+  require_display();
+  require_fonts();
+  interrupted();  // from now on Ctrl-C closes the window properly
+  DeskWindow(setting).work();
+}
+
+}  // namespace promenade::app

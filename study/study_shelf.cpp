@@ -1,0 +1,287 @@
+#include "study/study_shelf.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <set>
+
+#include "motion/files.h"
+#include "study/embedded.h"
+#include "study/migrate.h"
+#include "study/toml_parse.h"
+#include "study/utf8.h"
+
+namespace promenade::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of one file: another stamp, another content.
+std::string stamp_of(const fs::path& file) {
+  struct stat state {};
+  if (::stat(file.c_str(), &state) != 0) return "-;";
+  return fmt::format("{}.{}.{}.{};", state.st_ino, state.st_size, state.st_mtim.tv_sec,
+                     state.st_mtim.tv_nsec);
+}
+
+std::string stamp_of(const StudyPlace& place) {
+  return stamp_of(place.file()) + stamp_of(place.sessions()) +
+         stamp_of(place.sessions().string() + "-wal");
+}
+
+const TomlValue* value_at(const TomlValue& table, std::string_view key) {
+  for (const TomlValue::Entry& entry : table.entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+void read_planned(ShelvedStudy& study) {
+  const std::string text = read_file(study.place.file());
+  const TomlValue root = parse_toml(study.place.file(), text);
+  const TomlValue* table = value_at(root, "study");
+  const TomlValue* planned = table != nullptr ? value_at(*table, "participants") : nullptr;
+  if (planned == nullptr || planned->kind != TomlValue::Kind::integer) return;
+  study.planned = static_cast<int>(std::clamp<std::int64_t>(planned->integer, 0, 1'000'000));
+}
+
+void read_sessions(ShelvedStudy& study) {
+  if (!fs::exists(study.place.sessions())) return;
+  Database database = open_log(study.place.sessions());
+  Statement counts(database,
+                   "SELECT count(*) FILTER (WHERE outcome = 'finished' AND NOT pilot), "
+                   "count(*) FILTER (WHERE outcome = 'finished' AND pilot), "
+                   "count(*) FILTER (WHERE outcome = 'running'), "
+                   "count(*) FILTER (WHERE NOT pilot), count(*), coalesce(max(started_utc), '') "
+                   "FROM session WHERE NOT simulated");
+  counts.step();
+  study.finished = static_cast<int>(counts.integer(0));
+  study.pilots = static_cast<int>(counts.integer(1));
+  study.open = static_cast<int>(counts.integer(2));
+  const bool begun = counts.integer(3) > 0;
+  study.last_run_utc = counts.text(5);
+  const bool enough = study.planned > 0 && study.finished >= study.planned;
+  study.state = enough                  ? StudyState::finished
+                : begun                 ? StudyState::running
+                : counts.integer(4) > 0 ? StudyState::piloted
+                                        : StudyState::draft;
+}
+
+ShelvedStudy read_shelved(const StudyPlace& place) {
+  ShelvedStudy study;
+  study.place = place;
+  for (void (*read)(ShelvedStudy&) : {read_planned, read_sessions}) {
+    try {
+      read(study);
+    } catch (const InputError& error) {
+      study.problem = to_text(error.problems().front());
+    } catch (const OutsideError& error) {
+      study.problem = error.what();
+    }
+  }
+  return study;
+}
+
+// A file that a study is made of, and where it goes in its folder.
+struct Piece {
+  fs::path path;
+  std::string content;
+};
+
+// Every text of the file that could name another one.
+void collect_texts(const TomlValue& value, std::set<std::string>& texts) {
+  if (value.kind == TomlValue::Kind::text) texts.insert(value.text);
+  for (const TomlValue& element : value.elements) collect_texts(element, texts);
+  for (const TomlValue::Entry& entry : value.entries) collect_texts(entry.value, texts);
+}
+
+std::set<std::string> texts_in_file(const std::string& file, std::string_view text) {
+  std::set<std::string> texts;
+  collect_texts(parse_lines_of_toml(file, text).root, texts);
+  return texts;
+}
+
+// Could it be the name of a file within the folder?
+bool stays_inside(const std::string& name) {
+  if (name.empty() || name.size() > 200 || name.find_first_of("\n\"") != std::string::npos) {
+    return false;
+  }
+  const fs::path path(name);
+  return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+}
+
+std::vector<Piece> pieces_of_template(std::string_view embedded) {
+  const std::string path(embedded);
+  const auto text = embedded_file(path);
+  if (!text) throw InputError(path, "is no study of the program");
+  std::vector<Piece> pieces{{"study.toml", std::string(*text)}};
+  for (const std::string& name : texts_in_file("configs/" + path, *text)) {
+    if (!stays_inside(name)) continue;
+    const auto part = embedded_file((fs::path(path).parent_path() / name).string());
+    if (part) pieces.push_back({name, std::string(*part)});
+  }
+  return pieces;
+}
+
+std::vector<Piece> pieces_of_file(const fs::path& file) {
+  std::vector<Piece> pieces{{"study.toml", read_file(file)}};
+  for (const std::string& name : texts_in_file(file, pieces.front().content)) {
+    if (!stays_inside(name)) continue;
+    const fs::path part = file.parent_path() / name;
+    std::error_code error;
+    if (fs::is_regular_file(part, error)) pieces.push_back({name, read_file(part)});
+  }
+  return pieces;
+}
+
+// A folder under a name of its own until it is whole.
+void make_folder(const fs::path& folder, const std::vector<Piece>& pieces) {
+  const fs::path unfinished =
+      folder.parent_path() / fmt::format(".{}.{}", folder.filename().string(), ::getpid());
+  std::error_code error;
+  try {
+    for (const Piece& piece : pieces) write_file(unfinished / piece.path, piece.content);
+    fs::rename(unfinished, folder, error);
+  } catch (...) {
+    fs::remove_all(unfinished, error);
+    throw;
+  }
+  if (!error) return;
+  const std::string why = error.message();
+  fs::remove_all(unfinished, error);
+  throw OutsideError("cannot make " + folder.string() + ": " + why);
+}
+
+// Where a place of the text begins, bytes.
+std::size_t offset_of(std::string_view text, Place place) {
+  std::size_t at = 0;
+  for (int line = 1; line < place.line && at != std::string_view::npos; ++line) {
+    at = text.find('\n', at);
+    if (at != std::string_view::npos) ++at;
+  }
+  if (at == std::string_view::npos) return text.size();
+  for (int column = 1; column < place.column; ++column)
+    at += first_character(text.substr(at)).bytes;
+  return std::min(at, text.size());
+}
+
+// As a text of TOML.
+std::string quoted(const std::string& words) {
+  std::string text = "\"";
+  for (const char letter : words) {
+    if (letter == '"' || letter == '\\') text += '\\';
+    text += letter;
+  }
+  return text + "\"";
+}
+
+void name_study(std::vector<Piece>& pieces, const std::string& name) {
+  pieces.front().content = with_study_name(std::move(pieces.front().content), name);
+}
+
+}  // namespace
+
+std::string_view to_text(StudyState state) {
+  switch (state) {
+    case StudyState::draft:
+      return "draft";
+    case StudyState::piloted:
+      return "piloted";
+    case StudyState::running:
+      return "running";
+    case StudyState::finished:
+      return "finished";
+  }
+  return "";
+}
+
+const std::vector<ShelvedStudy>& StudyShelf::look() {
+  studies_.clear();
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
+    const StudyPlace place{entry.path()};
+    if (place.name().starts_with('.') || !fs::is_regular_file(place.file(), error)) continue;
+    const std::string stamp = stamp_of(place);
+    Known& known = known_[place.folder.string()];
+    if (known.stamp != stamp) known = {stamp, read_shelved(place)};
+    studies_.push_back(known.study);
+  }
+  std::sort(studies_.begin(), studies_.end(), [](const ShelvedStudy& a, const ShelvedStudy& b) {
+    return a.place.name() < b.place.name();
+  });
+  return studies_;
+}
+
+fs::path StudyShelf::place_for(const std::string& name) const {
+  const std::string what = "the name \"" + name + "\"";
+  if (name.empty()) throw InputError("the name", "is missing; type one");
+  if (name.starts_with('.') || name.find('/') != std::string::npos || name.ends_with(' ') ||
+      name.starts_with(' ')) {
+    throw InputError(what, "cannot be used: no \"/\", and no dot or space at its ends");
+  }
+  if (count_characters(name) > 60)
+    throw InputError(what, "is too long; use 60 characters or fewer");
+  if (fs::exists(folder_ / name)) throw InputError(what, "is taken; choose another one");
+  return folder_ / name;
+}
+
+std::string StudyShelf::free_name(const std::string& wanted) const {
+  std::string name = wanted;
+  for (int k = 2; fs::exists(folder_ / name); ++k) name = fmt::format("{} {}", wanted, k);
+  return name;
+}
+
+StudyPlace StudyShelf::add_template(std::string_view embedded, const std::string& name) {
+  const StudyPlace place{place_for(name)};
+  std::vector<Piece> pieces = pieces_of_template(embedded);
+  name_study(pieces, name);
+  make_folder(place.folder, pieces);
+  return place;
+}
+
+StudyPlace StudyShelf::add_file(const fs::path& file, const std::string& name) {
+  const StudyPlace place{place_for(name)};
+  make_folder(place.folder, pieces_of_file(file));
+  return place;
+}
+
+StudyPlace StudyShelf::duplicate(const StudyPlace& place, const std::string& name) {
+  const StudyPlace copy{place_for(name)};
+  std::vector<Piece> pieces = pieces_of_file(place.file());
+  name_study(pieces, name);
+  make_folder(copy.folder, pieces);
+  return copy;
+}
+
+StudyPlace StudyShelf::rename(const StudyPlace& place, const std::string& name) {
+  const StudyPlace renamed{place_for(name)};
+  const bool unused = !fs::exists(place.sessions()) && !fs::exists(place.rehearsal());
+  if (unused) write_file(place.file(), with_study_name(read_file(place.file()), name));
+  std::error_code error;
+  fs::rename(place.folder, renamed.folder, error);
+  if (error) throw OutsideError("cannot rename " + place.folder.string() + ": " + error.message());
+  return renamed;
+}
+
+std::string with_study_name(std::string text, const std::string& name) {
+  const TomlValue root = parse_lines_of_toml("study", text).root;
+  const TomlValue* table = value_at(root, "study");
+  const TomlValue* value = table != nullptr ? value_at(*table, "name") : nullptr;
+  if (value == nullptr || value->kind != TomlValue::Kind::text) return text;
+  const std::size_t begin = offset_of(text, value->place);
+  const std::size_t end = begin < text.size() ? text.find(text[begin], begin + 1) : text.npos;
+  if (end == std::string::npos) return text;
+  return text.replace(begin, end + 1 - begin, quoted(name));
+}
+
+std::vector<std::string> study_templates() {
+  std::vector<std::string> all{"demo.toml", "tour.toml"};
+  for (const std::string& name : embedded_names("studies")) {
+    all.push_back("studies/" + name + ".toml");
+  }
+  return all;
+}
+
+}  // namespace promenade::study
