@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <set>
 
 #include "motion/scanner.h"
 
@@ -44,6 +45,16 @@ Words words_of(const std::string& file) {
   }
   if (words.back().empty()) words.pop_back();
   return words;
+}
+
+// Where the word with that number begins.
+std::size_t start_of_word(const std::string& stem, std::size_t word) {
+  constexpr const char* between = "_- .";
+  std::size_t at = stem.find_first_not_of(between);
+  for (std::size_t k = 0; k < word && at != std::string::npos; ++k) {
+    at = stem.find_first_not_of(between, stem.find_first_of(between, at));
+  }
+  return at == std::string::npos ? 0 : at;
 }
 
 bool is_number(const std::string& word) {
@@ -101,6 +112,23 @@ std::vector<std::string> styles_of(const std::vector<std::string>& files) {
     if (styles.back().empty()) styles.back() = fs::path(files[i]).stem().string();
   }
   return styles;
+}
+
+std::vector<std::string> short_names(const std::vector<std::string>& files) {
+  std::vector<Words> all;
+  all.reserve(files.size());
+  for (const std::string& file : files) all.push_back(words_of(file));
+  const std::size_t shared = shared_words(all);
+  std::vector<std::string> names;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const fs::path file(files[i]);
+    const std::string stem = file.stem().string();
+    const std::size_t at = shared < all[i].size() ? start_of_word(stem, shared) : 0;
+    names.push_back(stem.substr(at));
+    if (!seen.insert(names.back()).second) names.back() = file.filename().string();
+  }
+  return names;
 }
 
 std::string common_folder(const std::vector<std::string>& files) {

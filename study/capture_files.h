@@ -15,6 +15,10 @@ std::vector<std::string> capture_files(const std::vector<std::string>& paths);
 // left, the name of the file without its ending.
 std::vector<std::string> styles_of(const std::vector<std::string>& files);
 
+// What tells them apart: the names without their endings and without the words that all begin
+// with. The whole names where two would be the same.
+std::vector<std::string> short_names(const std::vector<std::string>& files);
+
 // The deepest folder that all lie below; empty: there are none.
 std::string common_folder(const std::vector<std::string>& files);
 
