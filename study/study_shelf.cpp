@@ -26,11 +26,6 @@ std::string stamp_of(const fs::path& file) {
                      state.st_mtim.tv_nsec);
 }
 
-std::string stamp_of(const StudyPlace& place) {
-  return stamp_of(place.file()) + stamp_of(place.sessions()) +
-         stamp_of(place.sessions().string() + "-wal");
-}
-
 const TomlValue* value_at(const TomlValue& table, std::string_view key) {
   for (const TomlValue::Entry& entry : table.entries) {
     if (entry.key == key) return &entry.value;
@@ -182,6 +177,21 @@ void name_study(std::vector<Piece>& pieces, const std::string& name) {
 }
 
 }  // namespace
+
+// The program makes databases and folders there, which are no part of the study.
+std::string stamp_of(const StudyPlace& place) {
+  std::string stamp = stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
+  std::set<std::string> files;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place.folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file(error) && name.find(".db") == std::string::npos) {
+      files.insert(name + stamp_of(entry.path()));
+    }
+  }
+  for (const std::string& one : files) stamp += one;
+  return stamp;
+}
 
 std::string_view to_text(StudyState state) {
   switch (state) {

@@ -33,6 +33,9 @@ struct StudyPlace {
   std::string name() const { return folder.filename().string(); }
 };
 
+// Of its file, the files beside it and its sessions: another stamp, another content.
+std::string stamp_of(const StudyPlace& place);
+
 // draft: nobody has taken part; piloted: pilots only; running: people who count have begun;
 // finished: as many as were planned are done.
 enum class StudyState { draft, piloted, running, finished };

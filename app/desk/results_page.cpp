@@ -10,7 +10,7 @@ class Page : public DeskPage {
 
 }  // namespace
 
-std::unique_ptr<DeskPage> make_results_page(DeskServices&, const study::StudyPlace&) {
+std::unique_ptr<DeskPage> make_results_page(DeskServices&, OpenStudy&) {
   return std::make_unique<Page>();
 }
 
