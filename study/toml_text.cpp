@@ -32,12 +32,6 @@ std::string escaped(char letter) {
   return {letter};
 }
 
-std::string quoted(std::string_view text) {
-  std::string written = "\"";
-  for (const char letter : text) written += escaped(letter);
-  return written + '"';
-}
-
 // With a point, so that it is read as a number and no whole one.
 std::string written_number(double number) {
   if (std::isnan(number)) return "nan";
@@ -84,6 +78,12 @@ bool same_arrays(const TomlValue& a, const TomlValue& b) {
 }
 
 }  // namespace
+
+std::string toml_quoted(std::string_view text) {
+  std::string written = "\"";
+  for (const char letter : text) written += escaped(letter);
+  return written + '"';
+}
 
 TomlValue toml_text(std::string_view text) {
   TomlValue value = of_kind(Kind::text);
@@ -133,7 +133,7 @@ TomlValue toml_table(std::vector<std::pair<std::string, TomlValue>> entries) {
 }
 
 std::string written_key(std::string_view key) {
-  return is_bare_key(key) ? std::string(key) : quoted(key);
+  return is_bare_key(key) ? std::string(key) : toml_quoted(key);
 }
 
 std::string written_value(const TomlValue& value) {
@@ -143,7 +143,7 @@ std::string written_value(const TomlValue& value) {
     case Kind::array:
       return written_array(value);
     case Kind::text:
-      return quoted(value.text);
+      return toml_quoted(value.text);
     case Kind::integer:
       return std::to_string(value.integer);
     case Kind::number:

@@ -16,6 +16,8 @@ TomlValue toml_array(std::vector<TomlValue> elements);
 TomlValue toml_texts(const std::vector<std::string>& texts);
 TomlValue toml_table(std::vector<std::pair<std::string, TomlValue>> entries);
 
+// A text in its quotes, on one line.
+std::string toml_quoted(std::string_view text);
 // A key, in quotes where it needs them.
 std::string written_key(std::string_view key);
 // On one line; tables as { a = 1 }.

@@ -51,8 +51,11 @@ void add_doctor_command(Command program) {
                      "the database of the study, whose disk is tried (default: in results/)");
   command.add_option("--seconds", options->doctor.seconds, "how long frames are timed (default: 4)")
       .range(1.0, 600.0);
-  command.add_flag("--windowed", options->doctor.windowed,
-                   "1280 x 720 instead of the whole screen");
+  const Option windowed = command.add_flag("--windowed", options->doctor.windowed,
+                                           "1280 x 720 instead of the whole screen");
+  command.add_option("--screen", options->doctor.screen, "the display that is tried, from 1")
+      .range(1, 64)
+      .excludes(windowed);
   command.add_flag("--json", options->json, "one JSON document on stdout");
   command.callback([options] { run(*options); });
 }

@@ -17,6 +17,7 @@ namespace {
 
 struct Options {
   std::string file, database, participant, station = "1", language, trace, roster;
+  int screen = 0;
   bool has_participant = false;
   bool pilot = false, windowed = false;
   std::optional<std::uint64_t> autopilot;
@@ -89,7 +90,8 @@ void leave_place(const Options& options, const SessionSetting& setting,
 }
 
 void run(const Options& options) {
-  const study::StudyBundle bundle = study::load_study(options.file, interfaces());
+  study::StudyBundle bundle = study::load_study(options.file, interfaces());
+  if (options.screen > 0) bundle.study.display.screen = options.screen;
   SessionSetting setting{.bundle = bundle,
                          .database = options.database,
                          .participant = given_code(options),
@@ -130,7 +132,11 @@ void add_run_command(Command program) {
   command.add_option("--roster", options->roster,
                      "the roster (.csv) that has the participant's code and order");
   command.add_option("--language", options->language, "en or ja; without it the first page asks");
-  command.add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
+  const Option windowed =
+      command.add_flag("--windowed", options->windowed, "1280 x 720 instead of the whole screen");
+  command.add_option("--screen", options->screen, "the display, from 1, instead of the study's own")
+      .range(1, 64)
+      .excludes(windowed);
   command
       .add_option("--autopilot", options->autopilot,
                   "a simulated participant with this seed takes the mouse")

@@ -49,10 +49,15 @@ void Desk::go(DeskPlace place) {
   page_.focus().leave();
 }
 
-DeskPage& Desk::page() {
+Desk::Room& Desk::room() {
   const bool of_study = place_ >= first_of_study;
-  std::unique_ptr<DeskPage>& page =
-      pages_[of_study ? study_->folder.string() : ""][static_cast<std::size_t>(place_)];
+  Room& room = rooms_[of_study ? study_->folder.string() : ""];
+  if (of_study && !room.study) room.study = std::make_unique<OpenStudy>(*study_);
+  return room;
+}
+
+DeskPage& Desk::page() {
+  std::unique_ptr<DeskPage>& page = room().pages[static_cast<std::size_t>(place_)];
   if (!page) page = make_page(place_);
   return *page;
 }
@@ -62,13 +67,13 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::studies:
       return make_studies_page(services_);
     case DeskPlace::plan:
-      return make_plan_page(services_, *study_);
+      return make_plan_page(services_, *room().study);
     case DeskPlace::rehearse:
-      return make_rehearse_page(services_, *study_);
+      return make_rehearse_page(services_, *room().study);
     case DeskPlace::run:
-      return make_run_page(services_, *study_);
+      return make_run_page(services_, *room().study);
     case DeskPlace::results:
-      return make_results_page(services_, *study_);
+      return make_results_page(services_, *room().study);
     case DeskPlace::takes:
     case DeskPlace::edit:
     case DeskPlace::watch:
@@ -79,6 +84,7 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
 
 void Desk::advance(std::int64_t now_us) {
   jobs_.look();
+  if (OpenStudy* study = room().study.get()) study->look(now_us);
   page().advance(now_us);
 }
 
@@ -89,9 +95,9 @@ void Desk::draw_figures(FigureRenderer& renderer, const Gui& gui) {
 void Desk::dropped(const std::vector<std::string>& paths) { page().dropped(paths); }
 
 bool Desk::moves() const {
-  const auto pages = pages_.find(place_ >= first_of_study && study_ ? study_->folder.string() : "");
-  if (pages == pages_.end()) return true;
-  const std::unique_ptr<DeskPage>& page = pages->second[static_cast<std::size_t>(place_)];
+  const auto room = rooms_.find(place_ >= first_of_study ? study_->folder.string() : "");
+  if (room == rooms_.end()) return true;
+  const std::unique_ptr<DeskPage>& page = room->second.pages[static_cast<std::size_t>(place_)];
   return !page || page->moves() || jobs_.busy();
 }
 
@@ -165,14 +171,13 @@ std::vector<std::string> Desk::shown_words() const {
     for (const std::string& key : texts.keys()) words.push_back(texts(key));
   }
   if (study_) words.push_back(study_->name());
-  const auto add = [&](const Pages& pages) {
-    for (const std::unique_ptr<DeskPage>& page : pages) {
+  for (const auto& [folder, room] : rooms_) {
+    for (const std::unique_ptr<DeskPage>& page : room.pages) {
       if (!page) continue;
       const std::vector<std::string>& more = page->shown_words();
       words.insert(words.end(), more.begin(), more.end());
     }
-  };
-  for (const auto& [folder, pages] : pages_) add(pages);
+  }
   if (const DeskJob* job = jobs_.shown()) words.push_back(job->job->messages());
   return words;
 }

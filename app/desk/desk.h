@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/desk/open_study.h"
 #include "app/desk/page.h"
 #include "app/desk/services.h"
 #include "app/tool_page.h"
@@ -39,10 +40,12 @@ class Desk {
   void go(DeskPlace place);
   void open(const study::StudyPlace& study);
   DeskPlace place() const { return place_; }
+  // That is open here; null: at the places without one.
+  const OpenStudy* study() { return room().study.get(); }
   // Figures walk, or something waits to be shown.
   bool moves() const;
-  // A person is taking part at this machine: be quiet.
-  bool session_runs() const { return jobs_.session(); }
+  // A person is taking part at this machine, or frames are measured: leave it the machine.
+  bool quiet() const { return jobs_.quiet(); }
   // What may be shown now, for the characters of the fonts.
   std::vector<std::string> shown_words() const;
   const WidgetMap& widgets() const { return page_.widgets(); }
@@ -50,8 +53,13 @@ class Desk {
   DeskJobs& jobs() { return jobs_; }
 
  private:
-  using Pages = std::array<std::unique_ptr<DeskPage>, desk_places>;
+  // A study stays open, with its pages, until the desk is closed: nothing on them is lost.
+  struct Room {
+    std::unique_ptr<OpenStudy> study;  // null: the places without a study
+    std::array<std::unique_ptr<DeskPage>, desk_places> pages;
+  };
 
+  Room& room();
   DeskPage& page();
   std::unique_ptr<DeskPage> make_page(DeskPlace place);
   void draw(const Ui& ui);
@@ -68,7 +76,7 @@ class Desk {
   std::map<std::string, study::Texts, std::less<>> words_;  // by language
   DeskPlace place_ = DeskPlace::studies;
   std::optional<study::StudyPlace> study_;
-  std::map<std::string, Pages> pages_;  // by the study's folder; "": those without a study
+  std::map<std::string, Room> rooms_;  // by the study's folder; "": those without a study
   ToolPage page_;
 };
 

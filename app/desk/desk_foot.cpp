@@ -62,6 +62,9 @@ void draw_desk_foot(const Ui& ui, const study::Texts& words, DeskJobs& jobs, con
   const Box end{bar.right() - inset - wide, bar.y + gap, wide, bar.height - 2 * gap};
   const Box line{bar.x + inset, bar.y, end.x - bar.x - 2 * inset, bar.height};
   const DeskJob* const one = jobs.shown();
+  if (one != nullptr && one->kind == JobKind::session && one->job->running()) {
+    return draw_words(ui, line, {words.with("shell.session", {{"name", one->name}})});
+  }
   if (one != nullptr && one->job->running()) {
     const Box left{line.x, line.y, 0.6f * line.width, line.height};
     draw_words(ui, left, {progress_words(words, *one)});

@@ -73,7 +73,7 @@ class DeskWindow {
   bool ended() const { return window_.closing() || interrupted(); }
   bool lively() const {
     constexpr std::int64_t patience_us = 2'000'000;
-    return !desk_.session_runs() && (desk_.moves() || now_us_ - touched_us_ < patience_us);
+    return !desk_.quiet() && (desk_.moves() || now_us_ - touched_us_ < patience_us);
   }
   void draw_figures(std::int64_t now_us) {
     now_us_ = now_us;

@@ -1,17 +1,222 @@
+// Run: is everything ready, on which display, and off it goes. The desk stays where it is.
+#include <algorithm>
+#include <filesystem>
+
+#include "app/choice.h"
+#include "app/desk/amend_box.h"
+#include "app/desk/column.h"
 #include "app/desk/pages.h"
+#include "app/desk/readiness.h"
+#include "app/scroll_area.h"
+#include "motion/problem.h"
 
 namespace promenade::app {
 namespace {
 
-class Page : public DeskPage {
+Rgb colour_of(const Palette& palette, Light light) {
+  switch (light) {
+    case Light::green:
+      return palette.bookmark;
+    case Light::amber:
+      return palette.pilot;
+    case Light::red:
+      return palette.alarm;
+    case Light::unknown:
+      break;
+  }
+  return palette.track;
+}
+
+// A sign in the mark, for people who do not see the hues.
+void draw_light(const Ui& ui, const Box& box, Light light) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const Rgb colour = colour_of(ui.look.palette, light);
+  list->AddCircleFilled({box.middle_x(), box.middle_y()}, 0.5f * box.width, packed(colour), 24);
+  if (light == Light::unknown) return;
+  const Rgb& ink = ui.look.palette.on_colour;
+  const float in = 0.28f * box.width;
+  const Box sign{box.x + in, box.y + in, box.width - 2 * in, box.height - 2 * in};
+  if (light == Light::amber) {
+    draw_text(ui.look.fonts.bold, box, ink, "!", Align::centre);
+  } else {
+    draw_icon(sign, light == Light::green ? Icon::check : Icon::close, ink, ui.layout.size(2));
+  }
+}
+
+class RunPage : public DeskPage {
  public:
-  void draw(const Ui&, const study::Texts&, const Box&) override {}
+  RunPage(DeskServices& services, OpenStudy& study) : services_(services), study_(study) {
+    if (services_.displays.size() > 1) display_ = 1;
+  }
+
+  void advance(std::int64_t now_us) override { now_us_ = now_us; }
+  void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
+  const std::vector<std::string>& shown_words() const override { return shown_; }
+
+ private:
+  void draw_ready(const Ui& ui, const study::Texts& words, const Box& box);
+  void draw_start(const Ui& ui, const study::Texts& words, Column& column);
+  void draw_display(const Ui& ui, const study::Texts& words, Column& column);
+  void draw_language(const Ui& ui, const study::Texts& words, Column& column);
+  void try_machine(const study::Texts& words);
+  void start(const study::Texts& words);
+  // Where the participant's window opens: "--screen" and its number, or "--windowed".
+  void add_display(std::vector<std::string>& words) const;
+  std::vector<ReadyLine> lines(const study::Texts& words) const;
+
+  DeskServices& services_;
+  OpenStudy& study_;
+  AmendBox amend_;
+  std::size_t display_ = 0;   // of the displays; beyond them: a window
+  std::size_t language_ = 0;  // of the study's, from 1; 0: the first page asks
+  Draft code_, station_;
+  std::string doctor_;  // what it printed; empty: it was not asked
+  std::vector<std::string> shown_;
+  std::int64_t now_us_ = 0;
 };
+
+std::vector<ReadyLine> RunPage::lines(const study::Texts& words) const {
+  std::vector<ReadyLine> all = lines_of_study(study_.reading(), words);
+  const std::vector<ReadyLine> machine =
+      doctor_.empty()
+          ? std::vector<ReadyLine>{{Light::unknown, words("run.machine"), words("run.not_tried")}}
+          : lines_of_doctor(doctor_, words);
+  all.insert(all.end(), machine.begin(), machine.end());
+  return all;
+}
+
+void RunPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
+  const Box inner = inside(ui, room, 16);
+  const float wide = ui.layout.size(400);
+  const Box panel{inner.right() - wide, inner.y, wide, inner.height};
+  draw_ready(ui, words, {inner.x, inner.y, panel.x - inner.x - ui.layout.size(16), inner.height});
+  fill(panel, ui.look.palette.panel);
+  Column column(ui, inside(ui, panel, 24));
+  draw_start(ui, words, column);
+}
+
+void RunPage::draw_ready(const Ui& ui, const study::Texts& words, const Box& box) {
+  const Palette& palette = ui.look.palette;
+  Column column(ui, inside(ui, box, 8));
+  const Box head = column.take(48, 12);
+  draw_text(ui.look.fonts.title, head, palette.text, words("run.ready"));
+  const float wide = ui.layout.size(220);
+  if (button(ui, "doctor", {head.right() - wide, head.y, wide, head.height}, words("run.try"),
+             ButtonKind::outlined, !services_.jobs.busy())) {
+    try_machine(words);
+  }
+  const std::vector<ReadyLine> all = lines(words);
+  const float side = ui.layout.size(28);
+  const float gap = ui.layout.size(12);
+  const Box room = column.left();
+  ImFont* const font = ui.look.fonts.text;
+  const float text = room.width - side - 3 * gap;
+  float high = 0;
+  for (const ReadyLine& line : all) {
+    high += paragraphs_height(font, text, line.says) + font->FontSize + 2 * gap;
+  }
+  scrolled("ready", room, high, [&](const Box& inner) {
+    float y = inner.y;
+    for (const ReadyLine& line : all) {
+      draw_light(ui, {inner.x + gap / 2, y, side, side}, line.light);
+      const float x = inner.x + side + 2 * gap;
+      draw_text(ui.look.fonts.bold, {x, y, text, font->FontSize * 1.2f}, palette.text, line.title);
+      y += font->FontSize * 1.3f;
+      y += draw_paragraphs(font, x, y, text, palette.quiet, line.says) + gap * 1.4f;
+    }
+  });
+}
+
+void RunPage::draw_display(const Ui& ui, const study::Texts& words, Column& column) {
+  draw_text(ui.look.fonts.text, column.take(24, 4), ui.look.palette.quiet, words("run.display"));
+  std::vector<std::string> names = services_.displays;
+  names.push_back(words("run.window"));
+  if (const auto picked = drop_down(ui, "display", column.take(40, 16), names, display_)) {
+    display_ = *picked;
+    doctor_.clear();
+  }
+}
+
+void RunPage::draw_language(const Ui& ui, const study::Texts& words, Column& column) {
+  const auto bundle = study_.bundle();
+  if (!bundle || bundle->study.languages.size() < 2) return;
+  draw_text(ui.look.fonts.text, column.take(24, 4), ui.look.palette.quiet, words("run.language"));
+  std::vector<std::string> names{words("run.ask")};
+  for (const std::string& language : bundle->study.languages) {
+    names.push_back(study::texts_of(*bundle, language)("language"));
+  }
+  if (const auto picked = drop_down(ui, "language_of_study", column.take(40, 16), names,
+                                    std::min(language_, names.size() - 1))) {
+    language_ = *picked;
+  }
+}
+
+void RunPage::draw_start(const Ui& ui, const study::Texts& words, Column& column) {
+  const Palette& palette = ui.look.palette;
+  draw_text(ui.look.fonts.title, column.take(40, 12), palette.text, words("run.session"));
+  amend_.draw(ui, words, column, study_, services_, now_us_);
+  draw_display(ui, words, column);
+  draw_language(ui, words, column);
+  draw_text(ui.look.fonts.text, column.take(24, 4), palette.quiet, words("run.code"));
+  text_box(ui, "code", column.take(40, 16), code_,
+           {.most = 32, .several = false, .hint = words("run.code_hint").c_str()}, now_us_);
+  draw_text(ui.look.fonts.text, column.take(24, 4), palette.quiet, words("run.station"));
+  text_box(ui, "station", column.take(40, 24), station_,
+           {.most = 32, .several = false, .hint = "1"}, now_us_);
+  const StudyReading* const reading = study_.reading();
+  const bool can = reading != nullptr && reading->bundle && !reading->amendment_due &&
+                   reading->database_problem.empty() && !services_.jobs.session();
+  if (button(ui, "start", column.take(56, 12), words("run.start"), ButtonKind::filled, can)) {
+    start(words);
+  }
+  column.words(ui.look.fonts.text, palette.quiet,
+               words(services_.jobs.session() ? "run.runs_already" : "run.start_says"));
+}
+
+void RunPage::add_display(std::vector<std::string>& words) const {
+  if (display_ < services_.displays.size()) {
+    words.insert(words.end(), {"--screen", std::to_string(display_ + 1)});
+  } else {
+    words.push_back("--windowed");
+  }
+}
+
+void RunPage::try_machine(const study::Texts& words) {
+  std::vector<std::string> command{"doctor", "--json", "--db", study_.place().sessions()};
+  add_display(command);
+  services_.jobs.start(
+      words("run.trying"), command,
+      [this](const Job& job) {
+        doctor_ = job.output().empty() ? job.messages() : job.output();
+        shown_ = {doctor_};
+      },
+      JobKind::screen);
+}
+
+void RunPage::start(const study::Texts& words) {
+  const study::StudyPlace& place = study_.place();
+  std::vector<std::string> command{"run", place.file(), "--db", place.sessions()};
+  add_display(command);
+  const auto bundle = study_.bundle();
+  if (language_ > 0 && language_ <= bundle->study.languages.size()) {
+    command.insert(command.end(), {"--language", bundle->study.languages[language_ - 1]});
+  }
+  const std::string code = code_.text.words();
+  if (!code.empty()) command.insert(command.end(), {"--participant", code});
+  const std::string station = station_.text.words();
+  if (!station.empty()) command.insert(command.end(), {"--station", station});
+  if (std::filesystem::exists(place.roster())) {
+    command.insert(command.end(), {"--roster", place.roster()});
+  }
+  services_.jobs.start(words("run.session"), command, {}, JobKind::session);
+  code_ = {};
+  services_.go(DeskPlace::watch);
+}
 
 }  // namespace
 
-std::unique_ptr<DeskPage> make_run_page(DeskServices&, const study::StudyPlace&) {
-  return std::make_unique<Page>();
+std::unique_ptr<DeskPage> make_run_page(DeskServices& services, OpenStudy& study) {
+  return std::make_unique<RunPage>(services, study);
 }
 
 }  // namespace promenade::app

@@ -14,18 +14,18 @@ std::string_view to_text(DeskPlace place) {
 
 DeskJobs::~DeskJobs() {
   for (DeskJob& one : jobs_) {
-    if (!one.session && one.job->running()) one.job->stop();
+    if (one.kind != JobKind::session && one.job->running()) one.job->stop();
   }
 }
 
 void DeskJobs::start(const std::string& name, const std::vector<std::string>& arguments,
-                     std::function<void(const Job& job)> ended, bool session) {
+                     std::function<void(const Job& job)> ended, JobKind kind) {
   trouble_.clear();
   try {
     jobs_.push_back({.name = name,
                      .job = std::make_unique<Job>(program_, arguments),
                      .ended = std::move(ended),
-                     .session = session});
+                     .kind = kind});
   } catch (const OutsideError& error) {
     trouble_ = error.what();
   }
@@ -46,20 +46,28 @@ void DeskJobs::look() {
 
 const DeskJob* DeskJobs::shown() const {
   const auto running = std::find_if(jobs_.begin(), jobs_.end(), [](const DeskJob& one) {
-    return one.job->running() && !one.session;
+    return one.job->running() && one.kind != JobKind::session;
   });
   if (running != jobs_.end()) return &*running;
   return jobs_.empty() ? nullptr : &jobs_.back();
 }
 
 bool DeskJobs::busy() const {
-  return std::any_of(jobs_.begin(), jobs_.end(),
-                     [](const DeskJob& one) { return !one.session && one.job->running(); });
+  return std::any_of(jobs_.begin(), jobs_.end(), [](const DeskJob& one) {
+    return one.kind != JobKind::session && one.job->running();
+  });
 }
 
 bool DeskJobs::session() const {
-  return std::any_of(jobs_.begin(), jobs_.end(),
-                     [](const DeskJob& one) { return one.session && one.job->running(); });
+  return std::any_of(jobs_.begin(), jobs_.end(), [](const DeskJob& one) {
+    return one.kind == JobKind::session && one.job->running();
+  });
+}
+
+bool DeskJobs::quiet() const {
+  return std::any_of(jobs_.begin(), jobs_.end(), [](const DeskJob& one) {
+    return one.kind != JobKind::work && one.job->running();
+  });
 }
 
 void DeskJobs::stop_shown() {

@@ -16,13 +16,17 @@ enum class DeskPlace { studies, takes, edit, plan, rehearse, run, watch, results
 inline constexpr std::size_t desk_places = 8;
 std::string_view to_text(DeskPlace place);
 
+// work: in the background; screen: in a window of its own, beside which the desk is quiet; session:
+// a person's, likewise, and it outlives the desk.
+enum class JobKind { work, screen, session };
+
 // A command that runs, or ran, for somebody to see in the foot of the desk.
 struct DeskJob {
   std::string name;  // "Simulating", for people
   std::unique_ptr<Job> job;
   // Called once, when it has ended.
   std::function<void(const Job& job)> ended;
-  bool session = false;  // a person's, at another window: it outlives the desk
+  JobKind kind = JobKind::work;
   bool told = false;
 };
 
@@ -33,12 +37,13 @@ class DeskJobs {
 
   // Starts it. One that cannot be started is told as one that failed.
   void start(const std::string& name, const std::vector<std::string>& arguments,
-             std::function<void(const Job& job)> ended = {}, bool session = false);
+             std::function<void(const Job& job)> ended = {}, JobKind kind = JobKind::work);
   void look();
   // The one to be seen: what runs, else what ended last; null: none.
   const DeskJob* shown() const;
   bool busy() const;     // something runs that is no session
   bool session() const;  // a session runs
+  bool quiet() const;    // something runs in a window of its own
   void stop_shown();
   void dismiss();  // what ended is seen
   const std::string& trouble() const { return trouble_; }

@@ -33,7 +33,8 @@ std::vector<std::string> words_of_all_languages(const study::StudyBundle& bundle
 void examine_window(const DoctorOptions& options, const study::StudyBundle& bundle,
                     Findings& findings) {
   InputQueue queue;
-  Window window({.title = "promenade doctor", .windowed = options.windowed}, queue);
+  Window window(
+      {.title = "promenade doctor", .windowed = options.windowed, .screen = options.screen}, queue);
   Gui gui(make_palette(false), {caption});
   GuiRenderer gui_renderer;
   FigureRenderer renderer;

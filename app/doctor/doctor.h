@@ -13,6 +13,7 @@ struct DoctorOptions {
   std::string database = "results/study.db";  // whose folder is tried
   double seconds = 4;                         // that frames are timed for
   bool windowed = false;
+  int screen = 0;  // which display, from 1; 0: the first
 };
 
 // Opens a window of its own; without a display it checks the rest. Throws OutsideError when
