@@ -253,9 +253,8 @@ std::size_t section_of(const study::TomlPath& path) {
       find([&](const study::TomlPath& key) { return study::begins_with(path, key); });
   if (of_value < sections.size()) return of_value;
   // A table as a whole, with keys in it that are fields.
-  const std::size_t of_table = find([&](const study::TomlPath& key) {
-    return !path.empty() && study::begins_with(key, path);
-  });
+  const std::size_t of_table = find(
+      [&](const study::TomlPath& key) { return !path.empty() && study::begins_with(key, path); });
   return of_table < sections.size() ? of_table : 0;
 }
 

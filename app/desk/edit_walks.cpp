@@ -52,6 +52,7 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
   const Ui& ui = pass.ui;
   targets_ = target_walks(pass.root());
   hovered_.clear();
+  walking_.clear();
   const float foot = ui.layout.size(52);
   const Box view{box.x, box.y, box.width, box.height - foot};
   const float bar = ImGui::GetStyle().ScrollbarSize;
@@ -98,6 +99,7 @@ void EditWalks::draw_tile(const FormPass& pass, const Box& tile, const Box& view
   const bool under = tile.holds(mouse.x, mouse.y) && view.holds(mouse.x, mouse.y);
   if (under) hovered_ = name;
   if (under || ui.focus.on("press", target)) {
+    walking_.push_back(name);
     figures.walk(body, view, walk, palette.created);
   } else {
     figures.stand(body, view, walk, palette.example);

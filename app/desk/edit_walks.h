@@ -14,6 +14,8 @@ class EditWalks {
  public:
   void draw(const FormPass& pass, const Box& box, EditFigures& figures);
   const std::string& chosen() const { return chosen_; }  // the name of a walk; empty: none
+  // Those that are under the hand or the keyboard.
+  const std::vector<std::string>& walking() const { return walking_; }
 
  private:
   void draw_tile(const FormPass& pass, const Box& tile, const Box& view, int walk,
@@ -22,6 +24,7 @@ class EditWalks {
   std::string chosen_, hovered_;
   std::size_t task_ = 0;              // of those that have targets
   std::vector<std::string> targets_;  // walks that are targets already
+  std::vector<std::string> walking_;
 };
 
 }  // namespace promenade::app
