@@ -73,7 +73,7 @@ std::vector<EditSection> make_sections() {
 }
 
 Fields interface_fields() {
-  return {{"name", Kind::text, "", "", 0, 0, true}, {"type", Kind::pick, "", "@types"}};
+  return {{"name", Kind::text, "", "", 0, 0, true}, {"type", Kind::pick, "@name", "@types"}};
 }
 
 Fields task_fields() {
@@ -126,7 +126,7 @@ Fields questionnaire_fields() {
 
 Fields rating_fields() {
   return {{"item", Kind::text, "", "", 0, 0, true},
-          {"question", Kind::words, "", "", 0, 0, true},
+          {"question", Kind::page, "", "", 0, 2, true},
           {"low", Kind::words},
           {"high", Kind::words},
           {"points", Kind::whole, "7", "", 2, 11}};

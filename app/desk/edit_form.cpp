@@ -198,12 +198,13 @@ void EditForm::note(const FormPass& pass, const FormRow& row, const Box& box) {
 void EditForm::draw_label(const FormPass& pass, const FormRow& row, const Box& box) {
   const Palette& palette = pass.ui.look.palette;
   const float half = pass.ui.layout.size(22);
-  draw_line(pass.ui.look.fonts.text, {box.x, box.y, box.width, half}, palette.text,
-            label_of(pass, row.field));
-  if (row.field.words.empty()) return;  // its label is its key
-  const std::string key = row.path.empty() ? "" : study::last_key(row.path);
+  // The label of a parameter is its key, and the table itself has none.
+  const bool one_line = row.field.words.empty() || row.field.key.empty();
+  draw_line(pass.ui.look.fonts.text, {box.x, box.y, box.width, one_line ? 2 * half : half},
+            palette.text, label_of(pass, row.field));
+  if (one_line) return;
   draw_line(pass.ui.look.fonts.text, {box.x, box.y + half, box.width, half}, palette.quiet,
-            row.field.key.empty() ? "" : key);
+            study::last_key(row.path));
 }
 
 void EditForm::draw_field(const FormPass& pass, const FormRow& row, const Box& box) {

@@ -133,7 +133,13 @@ void EditPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
   const float half = 0.53f * left.width;
   const float between = ui.layout.size(16);
   const FormScene scene{*draft_, options_, problems(), interfaces(), now_us_};
-  form_.draw(ui, words, {left.x, left.y, half, left.height}, scene);
+  const Box form{left.x, left.y, half, left.height};
+  if (draft_->is_toml()) {
+    form_.draw(ui, words, form, scene);
+  } else {
+    draw_paragraphs(ui.look.fonts.reading, form.x, form.y, form.width, ui.look.palette.quiet,
+                    words("edit.no_form"));
+  }
   draw_right({ui, words, scene},
              {left.x + half + between, left.y, left.width - half - between, left.height});
 }
@@ -233,7 +239,7 @@ void EditPage::draw_motions(const FormPass& pass, const Box& box) {
 
 void EditPage::draw_file(const FormPass& pass, const Box& box) {
   const Ui& ui = pass.ui;
-  const float list = ui.layout.size(problems().empty() ? 28 : 128);
+  const float list = ui.layout.size(problems().empty() ? 28 : 160);
   const float between = ui.layout.size(8);
   const Box view{box.x, box.y, box.width, box.height - list - between};
   if (const auto line = file_view_.draw(ui, view, *draft_, problems(), form_.focused())) {
