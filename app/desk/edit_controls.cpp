@@ -151,7 +151,8 @@ bool EditControls::write(const FormPass& pass, const Box& box, const Line& line,
   follow(pass, line, written);
   ImGui::PushID(written.generation);
   text_box(pass.ui, line.target, box, written.draft,
-           {.most = line.several ? longest_page : longest_line,
+           {.most = (line.several ? longest_page : longest_line) +
+                    static_cast<int>(written.shown.size()),
             .several = line.several,
             .hint = line.hint.c_str()},
            pass.scene.now_us);
