@@ -85,7 +85,8 @@ float EditControls::height(const FormPass& pass, const FormRow& row) const {
   if (row.field.kind == FieldKind::some) {
     std::vector<std::string> options = options_of(pass, row);
     for (const auto& one : shown_some(pass.root(), row.path, {})) add_missing(one, options);
-    high = std::max(line_height, static_cast<float>((options.size() + 1) / 2) * tick_height);
+    const std::size_t rows = (options.size() + 1) / 2;
+    high = std::max(line_height, static_cast<float>(rows) * tick_height);
   } else if (is_by_language(row.field.kind)) {
     high = lines(pass.languages().size(), words_height(row.field));
   } else if (takes_files(row.field)) {
@@ -241,8 +242,9 @@ void EditControls::draw_some(const FormPass& pass, const FormRow& row, const Box
   const float high = pass.ui.layout.size(tick_height);
   const float wide = 0.5f * box.width;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    const Box one{box.x + static_cast<float>(i % 2) * wide,
-                  box.y + static_cast<float>(i / 2) * high, wide, high};
+    const std::size_t column = i % 2, line = i / 2;
+    const Box one{box.x + static_cast<float>(column) * wide,
+                  box.y + static_cast<float>(line) * high, wide, high};
     const bool on = std::find(now.begin(), now.end(), options[i]) != now.end();
     const std::string target = study::to_text(row.path) + "/" + options[i];
     if (check_box(pass.ui, target, one, options[i], on)) {

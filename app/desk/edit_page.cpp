@@ -63,7 +63,7 @@ void EditPage::advance(std::int64_t now_us) {
 }
 
 bool EditPage::moves() const {
-  return checker_->working() || distances_.working() || figures_.moves();
+  return checker_->working() || distances_.working() || preview_.working() || figures_.moves();
 }
 
 void EditPage::draw_figures(FigureRenderer& renderer, const Gui& gui) {

@@ -54,6 +54,19 @@ TEST_F(EditMotions, PreviewsAnInterfaceWithItsControls) {
   EXPECT_FALSE(edit_->preview().weights().isApprox(before));
 }
 
+TEST_F(EditMotions, ShowsWhichFeaturesGoTogether) {
+  press("side/2");
+  choose("preview", 2);
+  for (int k = 0; k < 1000 && edit_->preview().tree() == nullptr; ++k) {
+    frames(1);
+    ::poll(nullptr, 0, 5);
+  }
+  frames(2);
+  ASSERT_NE(edit_->preview().tree(), nullptr);
+  EXPECT_EQ(edit_->preview().tree()->names().size(), 4U);
+  EXPECT_TRUE(has("slide", "cut"));
+}
+
 TEST_F(EditMotions, TellsHowNearEachInterfaceComes) {
   press("side/3");
   for (int k = 0; k < 4000 && edit_->distances().reports().size() < 2; ++k) {
