@@ -14,6 +14,7 @@
 #include "app/desk/page.h"
 #include "app/desk/services.h"
 #include "app/tool_page.h"
+#include "study/watch.h"
 
 namespace promenade::app {
 
@@ -62,6 +63,7 @@ class Desk {
   Room& room();
   DeskPage& page();
   std::unique_ptr<DeskPage> make_page(DeskPlace place);
+  void resume(const study::StudyPlace& study, const study::WatchedSession& session);
   void draw(const Ui& ui);
   void draw_tabs(const Ui& ui, const Box& bar);
   void draw_tab(const Ui& ui, DeskPlace place, Box& left);

@@ -172,7 +172,7 @@ void EditControls::draw_words(const FormPass& pass, const FormRow& row, const Bo
   for (const std::string& language : pass.languages()) {
     const std::string target = study::to_text(row.path) + "/" + language;
     app::draw_text(pass.ui.look.fonts.text, {box.x, line.y, name, pass.ui.layout.size(line_height)},
-              pass.ui.look.palette.quiet, language);
+                   pass.ui.look.palette.quiet, language);
     const std::string hint = row.field.needed ? "" : left_out(pass, row.field);
     std::string text;
     if (write(pass, line,
