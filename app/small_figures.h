@@ -7,6 +7,11 @@
 
 namespace promenade::app {
 
+// One of them: parts that stand about the origin, on a disc in the colour of the ground.
+void draw_small_figure(FigureRenderer& renderer, const Box& box, const Box& clip, double height,
+                       const std::vector<Part>& parts, const Rgb& colour, const Rgb& ground);
+Box common_box(const Box& a, const Box& b);  // what lies in both
+
 class SmallFigures {
  public:
   // Both outlive it.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "motion/foot_measures.h"
 #include "motion/quantile.h"
 
 namespace promenade::app {
@@ -11,26 +12,30 @@ namespace {
 
 constexpr double smoothing_s =
     0.4;  // standard deviation of the weights; a step takes half a second
-// Where standing toes are, metres over the floor, as in motion sets.
-constexpr double least_toe_level = 0.01, most_toe_level = 0.06;
 constexpr double between_looks_s = 0.1;
 
-// Every tenth of a second of all takes of a graph.
+using Takes = std::vector<const motion::Take*>;  // of one skeleton, at least one
+
+Takes takes_of(const motion::MotionGraph& graph) {
+  Takes takes;
+  for (const motion::GraphTake& one : graph.takes) takes.push_back(&one.take);
+  return takes;
+}
+
+// Every tenth of a second of all takes.
 template <typename Look>
-void look_at(const motion::MotionGraph& graph, const Look& look) {
-  const int step = std::max(1, static_cast<int>(std::lround(between_looks_s / graph.frame_time)));
-  for (const motion::GraphTake& one : graph.takes) {
-    for (int f = 0; f < one.take.frames(); f += step) {
-      look(one.take.poses[static_cast<std::size_t>(f)]);
-    }
+void look_at(const Takes& takes, const Look& look) {
+  for (const motion::Take* take : takes) {
+    const int step = std::max(1, static_cast<int>(std::lround(between_looks_s / take->frame_time)));
+    for (int f = 0; f < take->frames(); f += step) look(take->poses[static_cast<std::size_t>(f)]);
   }
 }
 
 // Turned so that the hips face +Z.
-motion::Pose facing_ahead(const motion::MotionGraph& graph, motion::Pose pose) {
-  const motion::WorldPose world = motion::forward_kinematics(graph.skeleton(), pose);
-  const Eigen::Vector3d left = world.positions.col(graph.body().joint[motion::left_hip]) -
-                               world.positions.col(graph.body().joint[motion::right_hip]);
+motion::Pose facing_ahead(const motion::Take& take, motion::Pose pose) {
+  const motion::WorldPose world = motion::forward_kinematics(take.skeleton, pose);
+  const Eigen::Vector3d left = world.positions.col(take.body.joint[motion::left_hip]) -
+                               world.positions.col(take.body.joint[motion::right_hip]);
   const Eigen::Quaterniond turn(
       Eigen::AngleAxisd(std::atan2(left.z(), left.x()), Eigen::Vector3d::UnitY()));
   pose.root = turn * pose.root;
@@ -61,30 +66,44 @@ Eigen::Vector2d fitted_at(const motion::Take& take, int frame) {
   return (s2 * sum - s1 * moment) / (s0 * s2 - s1 * s1);
 }
 
-}  // namespace
-
-double floor_level(const motion::MotionGraph& graph) {
+double floor_level(const Takes& takes) {
+  const motion::Take& any = *takes.front();
   std::vector<double> heights;
   motion::WorldPose world;
-  look_at(graph, [&](const motion::Pose& pose) {
-    motion::forward_kinematics(graph.skeleton(), pose, world);
+  look_at(takes, [&](const motion::Pose& pose) {
+    motion::forward_kinematics(any.skeleton, pose, world);
     const auto height = [&](motion::BodyJoint toe) {
-      return world.positions(1, graph.body().joint[toe]);
+      return world.positions(1, any.body.joint[toe]);
     };
     heights.push_back(std::min(height(motion::left_toe), height(motion::right_toe)));
   });
   const double level = motion::quantile(std::move(heights), 0.05);
-  return level - std::clamp(level, least_toe_level, most_toe_level);
+  return level - motion::floor_level(level);
 }
 
-Mannequin mannequin_of(const motion::MotionGraph& graph, double level_m) {
+Mannequin mannequin_of(const Takes& takes, double level_m) {
+  const motion::Take& any = *takes.front();
   std::vector<motion::WorldPose> poses;
-  look_at(graph, [&](const motion::Pose& pose) {
-    motion::Pose ahead = facing_ahead(graph, pose);
+  look_at(takes, [&](const motion::Pose& pose) {
+    motion::Pose ahead = facing_ahead(any, pose);
     ahead.root.y() -= level_m;
-    poses.push_back(motion::forward_kinematics(graph.skeleton(), ahead));
+    poses.push_back(motion::forward_kinematics(any.skeleton, ahead));
   });
-  return make_mannequin(graph.skeleton(), graph.body(), poses);
+  return make_mannequin(any.skeleton, any.body, poses);
+}
+
+}  // namespace
+
+double floor_level(const motion::MotionGraph& graph) { return floor_level(takes_of(graph)); }
+
+double floor_level(const motion::Take& take) { return floor_level(Takes{&take}); }
+
+Mannequin mannequin_of(const motion::MotionGraph& graph, double level_m) {
+  return mannequin_of(takes_of(graph), level_m);
+}
+
+Mannequin mannequin_of(const motion::Take& take, double level_m) {
+  return mannequin_of(Takes{&take}, level_m);
 }
 
 Eigen::Matrix2Xd smooth_way(const motion::Take& take) {

@@ -46,10 +46,12 @@ class StimulusFigures {
   std::map<const study::Stimulus*, StimulusFigure> figures_;
 };
 
-// How much higher the takes of a graph stand than figures do, metres; and a figure made to their
-// measure, with the ground under its feet.
+// How much higher the takes of a graph (or one take) stand than figures do, metres; and a figure
+// made to their measure, with the ground under its feet.
 double floor_level(const motion::MotionGraph& graph);
+double floor_level(const motion::Take& take);
 Mannequin mannequin_of(const motion::MotionGraph& graph, double level_m);
+Mannequin mannequin_of(const motion::Take& take, double level_m);
 
 // The way of the pelvis over the ground (2 x T: x, z; metres) without how it sways with the
 // steps: a straight line fitted around each frame, the near ones weighing most.

@@ -73,8 +73,11 @@ bool place(const Ui& ui, std::string_view kind, std::string_view target, const B
   return enter(ui, kind, target, widget, box);
 }
 
-bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box) {
-  return touch(ui, kind, target, box).pressed;
+bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                  bool stop) {
+  Widget widget;
+  widget.stop = stop;
+  return touch(ui, kind, target, box, widget).pressed;
 }
 
 Box visible_box() {
@@ -279,9 +282,11 @@ std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_vi
 }
 
 bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
-                 Icon icon, bool enabled) {
+                 Icon icon, bool enabled, bool stop) {
   const Palette& palette = ui.look.palette;
-  const Touch now = touch(ui, kind, target, box);
+  Widget widget;
+  widget.stop = stop;
+  const Touch now = touch(ui, kind, target, box, widget);
   if (now.hovered && enabled) fill(box, palette.hover);
   const float inset = std::round(0.5f * (std::min(box.width, box.height) - ui.layout.size(18)));
   const Box sign{box.middle_x() - ui.layout.size(9), box.y + inset, ui.layout.size(18),

@@ -74,7 +74,7 @@ enum class Icon { undo, redo, play, pause, plus, close, pen, back, minus, check 
 
 // A square button with a sign instead of words; true: pressed and released on it.
 bool icon_button(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
-                 Icon icon, bool enabled = true);
+                 Icon icon, bool enabled = true, bool stop = true);
 void draw_icon(const Box& box, Icon icon, const Rgb& colour, float thickness);
 
 struct FieldOptions {
@@ -105,8 +105,10 @@ PlaneTouch plane(const Ui& ui, std::string_view kind, std::string_view target, c
 std::optional<double> slider(const Ui& ui, std::string_view kind, std::string_view target,
                              const Box& box, double value, double start);
 
-// Something drawn elsewhere that reacts to a press; true: pressed, on the way down.
-bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box);
+// Something drawn elsewhere that reacts to a press; true: pressed, on the way down. The Tab key
+// passes by what does not `stop` it.
+bool pressed_area(const Ui& ui, std::string_view kind, std::string_view target, const Box& box,
+                  bool stop = true);
 
 // Enters something else that can be touched into the map; is the keyboard on it? The Tab
 // key passes by what does not `stop` it.

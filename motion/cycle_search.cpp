@@ -256,8 +256,10 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
     }
   }
   search.refusal = said(troubles);
+  for (const auto& [trouble, count] : troubles) search.refused += count;
+  search.turning = troubles["turn"] + troubles["turn there and back"];
   if (found.empty()) {
-    if (troubles.empty()) search.refusal = "the feet do not step in turn for a whole cycle";
+    if (search.refused == 0) search.refusal = "the feet do not step in turn for a whole cycle";
     return search;
   }
   // A cycle that is unlike the others of its take is a start, a stop or a stumble.
@@ -287,12 +289,26 @@ CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
     cycle.score = (cycle.window_m + same_m) * cycle.length();
     search.candidates.push_back(std::move(cycle));
   }
+  search.refused = search.turning = turning;
   if (turning > 0) search.refusal = std::to_string(turning) + " turn";
   if (search.candidates.empty() && turning == 0) {
     search.refusal = "it is nowhere like itself half a second to four seconds later";
   }
   best_first(search.candidates);
   return search;
+}
+
+std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count) {
+  std::vector<CycleCandidate> chosen;
+  for (const CycleCandidate& one : all) {
+    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const CycleCandidate& other) {
+      return one.keys.back() <= other.first() + 1 || one.first() >= other.keys.back() - 1;
+    });
+    if (apart && static_cast<int>(chosen.size()) < count) chosen.push_back(one);
+  }
+  std::sort(chosen.begin(), chosen.end(),
+            [](const CycleCandidate& a, const CycleCandidate& b) { return a.first() < b.first(); });
+  return chosen;
 }
 
 std::string trouble_with_keys(const Take& take, const std::vector<double>& keys) {

@@ -30,6 +30,7 @@ struct SearchOptions {
 struct CycleSearch {
   std::vector<CycleCandidate> candidates;  // the best first
   std::string refusal;                     // what is wrong with the others; empty if there are none
+  int refused = 0, turning = 0;            // how many others there are, and how many of them turn
 };
 
 CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
@@ -38,6 +39,9 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
 // Loops of any motion, walk or not, where the take is like itself a while later: two keytimes each,
 // first and last. Of loops that are as good the shorter comes first: twice around is a loop, too.
 CycleSearch find_any_loops(const Take& take, const SearchOptions& options = {});
+
+// The best loops that do not share frames, at most `count`, in the order of time.
+std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count);
 
 // Why these keytimes (frames of the take) are no cycle of it: outside of the take, or not
 // ascending. Empty: they are.

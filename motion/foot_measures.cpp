@@ -73,7 +73,14 @@ std::vector<double> standing_toe(const MotionSet& set, const Cycle& cycle, Side 
 // A toe goes down a little when the heel rises; then the foot stands on it.
 constexpr double low_share = 0.1;
 
+// Of shoes and bare feet.
+constexpr double least_toe_level = 0.01, most_toe_level = 0.06;
+
 }  // namespace
+
+double floor_level(double toe_level_m) {
+  return std::clamp(toe_level_m, least_toe_level, most_toe_level);
+}
 
 Eigen::Matrix<double, 3, body_joint_count> body_over_ground(const MotionSet& set,
                                                             const Cycle& cycle, double seconds) {

@@ -17,6 +17,10 @@ double stance_slide_m(const MotionSet& set, const Cycle& cycle, Side side);
 double toe_level(const MotionSet& set, const Cycle& cycle);
 double toe_level(const MotionSet& set, const Cycle& cycle, Side side);  // of one foot
 
+// Where standing toes are brought to: where the takes have them, but within what shoes and bare
+// feet can have. Metres over the floor.
+double floor_level(double toe_level_m);
+
 // The most that a toe or heel comes below that level at any time, metres.
 double penetration_m(const MotionSet& set, const Cycle& cycle);
 

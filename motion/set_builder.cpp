@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
 #include <tuple>
 
 #include "motion/cycle_cut.h"
+#include "motion/cycle_names.h"
 #include "motion/quantile.h"
 #include "motion/shared_skeleton.h"
 #include "motion/take_loader.h"
@@ -16,10 +15,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Body = Eigen::Matrix<double, 3, body_joint_count>;
-
-// Where standing toes are brought to, metres over the floor: where the takes have them,
-// but within what shoes and bare feet can have.
-constexpr double least_toe_level = 0.01, most_toe_level = 0.06;
 
 // The body over the origin, turned so that `travel` is ahead.
 Body centred(Body body, const Eigen::Matrix3d& turn, double scale) {
@@ -60,24 +55,6 @@ struct RawCycle {
   int number;  // of the take
 };
 
-// Names are given in the order of the takes; a name that somebody chose is not given again.
-class Names {
- public:
-  std::string next(const std::string& style, const std::string& wanted) {
-    std::string name = wanted;
-    while (name.empty() || taken_.count(name) > 0) {
-      name = (wanted.empty() ? style : wanted) + "_" +
-             std::to_string(++numbers_[wanted.empty() ? style : wanted]);
-    }
-    taken_.insert(name);
-    return name;
-  }
-
- private:
-  std::map<std::string, int> numbers_;
-  std::set<std::string> taken_;
-};
-
 void refuse(BuiltSet& built, const LoadedTake& take, const std::string& reason) {
   built.reports.push_back({take.source.label, "", reason});
 }
@@ -104,7 +81,7 @@ void note_lent(const Fitted& fitted, const LoadedTake& take, BuiltSet& built) {
 std::vector<RawCycle> cut_cycles(const std::vector<LoadedTake>& takes, const SharedSkeleton& shared,
                                  BuiltSet& built) {
   std::vector<RawCycle> raw;
-  Names names;
+  CycleNames names;
   for (std::size_t i = 0; i < takes.size(); ++i) {
     const LoadedTake& take = takes[i];
     if (!take.refusal.empty()) refuse(built, take, take.refusal);
@@ -130,7 +107,7 @@ void stand_on_one_floor(const MotionSet& set, std::vector<RawCycle>& raw) {
   levels.reserve(raw.size());
   for (const RawCycle& one : raw) levels.push_back(toe_level(set, one.cycle));
   if (levels.empty()) return;
-  const double common = std::clamp(quantile(levels, 0.5), least_toe_level, most_toe_level);
+  const double common = floor_level(quantile(levels, 0.5));
   for (std::size_t i = 0; i < raw.size(); ++i) {
     raw[i].cycle.root.row(1).array() += common - levels[i];
   }

@@ -6,20 +6,6 @@
 namespace promenade::motion {
 namespace {
 
-// The best loops of a take that do not share frames.
-std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count) {
-  std::vector<CycleCandidate> chosen;
-  for (const CycleCandidate& one : all) {
-    const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const CycleCandidate& other) {
-      return one.keys.back() <= other.first() + 1 || one.first() >= other.keys.back() - 1;
-    });
-    if (apart && static_cast<int>(chosen.size()) < count) chosen.push_back(one);
-  }
-  std::sort(chosen.begin(), chosen.end(),
-            [](const CycleCandidate& a, const CycleCandidate& b) { return a.first() < b.first(); });
-  return chosen;
-}
-
 Cut cut_out(const Take& take, const CycleCandidate& cycle, const std::string& name) {
   constexpr int margin = 3;  // frames that poses and velocities beside the ends follow from
   const int from = std::max(static_cast<int>(std::floor(cycle.first())) - margin, 0);
@@ -51,7 +37,12 @@ void TakeLoader::load(const TakeSource& source) {
 Take TakeLoader::read(const TakeSource& source) {
   ReadTake read = read_take(source, {options_.recipe, options_.figure});
   built_.warnings.insert(built_.warnings.end(), read.warnings.begin(), read.warnings.end());
-  if (!source.cycles.empty()) return std::move(read.take);
+  const double last = read.take.first_frame + read.take.frames() - 1.0;
+  const bool within = std::all_of(
+      source.cycles.begin(), source.cycles.end(),
+      [&](const GivenCycle& one) { return one.frames.empty() || one.frames.back() <= last; });
+  // A cycle that is given beyond the end runs over the seam of a take that is one loop.
+  if (!source.cycles.empty() && within) return std::move(read.take);
   return unrolled(std::move(read.take));
 }
 

@@ -5,33 +5,17 @@
 #include "study/adjective_model_file.h"
 #include "study/csv.h"
 #include "study/ratings_csv.h"
+#include "study/toml_text.h"
 
 namespace promenade::study {
 namespace {
-
-// A basic string of TOML.
-std::string quoted(std::string_view text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      result += fmt::format("\\u{:04X}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return result + "\"";
-}
 
 std::string list(const std::vector<std::string>& names) {
   constexpr std::size_t most = 96;  // columns of a line
   std::string text = "[";
   std::size_t begin = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string one = quoted(names[i]) + (i + 1 < names.size() ? "," : "");
+    const std::string one = toml_quoted(names[i]) + (i + 1 < names.size() ? "," : "");
     if (i > 0 && text.size() - begin + one.size() > most) {
       begin = text.size();
       text += "\n   ";
@@ -42,10 +26,10 @@ std::string list(const std::vector<std::string>& names) {
 }
 
 std::string words(const LocalText& text) {
-  if (text.size() == 1 && text.begin()->first == "en") return quoted(text.begin()->second);
+  if (text.size() == 1 && text.begin()->first == "en") return toml_quoted(text.begin()->second);
   std::string result = "{";
   for (const auto& [language, content] : text) {
-    result += (result.size() > 1 ? ", " : " ") + language + " = " + quoted(content);
+    result += (result.size() > 1 ? ", " : " ") + language + " = " + toml_quoted(content);
   }
   return result + " }";
 }
@@ -54,7 +38,7 @@ std::string words(const LocalText& text) {
 std::string block(const std::string& csv) {
   const bool plain = csv.find("'''") == std::string::npos && csv.find('\r') == std::string::npos &&
                      csv.find('\0') == std::string::npos;
-  return plain ? "'''\n" + csv + "'''" : quoted(csv);
+  return plain ? "'''\n" + csv + "'''" : toml_quoted(csv);
 }
 
 std::string primary(const AdjectiveModel& model) {
@@ -80,7 +64,7 @@ std::string adjective_model_toml(const AdjectiveModel& model) {
              "# `promenade model adjectives THIS.toml`.\n"
              "kind = \"adjective model\"\nversion = 1\nsource = {}\nsimulated = {}\n"
              "least_extreme = {}\nmost_deviation = {}\nclusters = {}\nflip = {}\nmotions = {}\n",
-             quoted(model.source), model.simulated(), csv_number(options.least_extreme),
+             toml_quoted(model.source), model.simulated(), csv_number(options.least_extreme),
              csv_number(options.most_deviation), options.clusters, options.flip,
              list(model.table.motions)) +
          primary(model) + "\n[ratings]\ntable = " + block(ratings_csv(model.table)) + "\n";

@@ -92,6 +92,7 @@ void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
   const auto style = table.text("style");
   TakeSource own = read_own(table);
   own.load = read_load(table, folder);
+  const bool used = table.boolean("use").value_or(true);
   if (file.empty()) return;
   own.place = table.place();
   own.label = fs::path(file).lexically_normal().generic_string();
@@ -101,7 +102,7 @@ void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
   }
   named.push_back(own.label);
   std::error_code error;
-  if (!fs::is_regular_file(own.file, error)) {
+  if (used && !fs::is_regular_file(own.file, error)) {
     table.error("file", "there is no file " + own.file);
   }
   const auto found = std::find_if(recipe.takes.begin(), recipe.takes.end(),
@@ -110,10 +111,12 @@ void read_take(const TomlTable& table, const fs::path& folder, Recipe& recipe,
               : found != recipe.takes.end() ? found->style
                                             : fs::path(file).stem().string();
   if (own.style.empty()) table.error("style", "\"style\" must not be empty");
-  if (found == recipe.takes.end()) {
-    recipe.takes.push_back(std::move(own));
-  } else {
+  std::vector<TakeSource>& list = used ? recipe.takes : recipe.left_out;
+  if (found != recipe.takes.end() && used) {
     *found = std::move(own);
+  } else {
+    if (found != recipe.takes.end()) recipe.takes.erase(found);
+    list.push_back(std::move(own));
   }
 }
 
@@ -152,6 +155,7 @@ void know_the_rest(const TomlTable& root) {
     read_own(take);
     take.required_text("file");
     for (const char* key : {"style", "asf"}) take.text(key);
+    take.boolean("use");
   }
   if (const auto cuts = root.table("cuts")) {
     for (const char* key : {"file", "style", "from", "to"}) cuts->required_text(key);
@@ -272,6 +276,7 @@ Recipe load_recipe(const std::string& file, const std::string& folder) {
   const fs::path place =
       (folder.empty() ? fs::path(file).parent_path() / own_folder : fs::path(folder))
           .lexically_normal();
+  recipe.folder = place.string();
   read_takes(root, place, recipe);
   read_key_phases(root, recipe);
   check_cycles(root, recipe);

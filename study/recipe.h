@@ -10,6 +10,10 @@
 //   file = "07/07_01.bvh"
 //   style = "normal"
 //   from = 30
+//
+//   [[take]]                             # known, but no part of the set
+//   file = "07/07_02.bvh"
+//   use = false
 #pragma once
 
 #include "motion/set_builder.h"
@@ -19,7 +23,9 @@ namespace promenade::study {
 
 struct Recipe {
   motion::SetOptions options;
-  std::vector<motion::TakeSource> takes;  // sorted by label
+  std::vector<motion::TakeSource> takes;     // sorted by label
+  std::vector<motion::TakeSource> left_out;  // `use = false`, in the order of the file
+  std::string folder;                        // where the captures lie
 };
 
 // Reads a recipe and looks for its files. `folder` (relative to where the program runs)

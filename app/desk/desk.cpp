@@ -1,9 +1,13 @@
 #include "app/desk/desk.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
 
 #include "app/desk/desk_foot.h"
+#include "app/desk/edit_page.h"
 #include "app/desk/pages.h"
+#include "app/desk/takes_page.h"
+#include "app/desk/watch_page.h"
 #include "app/desk/words.h"
 
 namespace promenade::app {
@@ -28,6 +32,7 @@ Desk::Desk(DeskSetting setting, InputQueue& queue)
       services_{.jobs = jobs_,
                 .shelf = shelf_,
                 .displays = setting_.displays,
+                .display = setting_.displays.size() > 1 ? std::size_t{1} : 0,
                 .open = [this](const study::StudyPlace& study) { open(study); },
                 .go = [this](DeskPlace place) { go(place); },
                 .show = setting_.show},
@@ -75,11 +80,29 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::results:
       return make_results_page(services_, *room().study);
     case DeskPlace::takes:
+      return std::make_unique<TakesPage>(setting_.studies);
     case DeskPlace::edit:
+      return std::make_unique<EditPage>(study_->file());
     case DeskPlace::watch:
-      break;
+      return std::make_unique<WatchPage>(
+          study_->sessions(),
+          [this, study = *study_](const study::WatchedSession& one) { resume(study, one); });
   }
-  return make_studies_page(services_);
+  return nullptr;
+}
+
+// The first page of the session offers to go on where it stood.
+void Desk::resume(const study::StudyPlace& study, const study::WatchedSession& session) {
+  std::vector<std::string> command{"run",       study.file(),   "--db", study.sessions(),
+                                   "--station", session.station};
+  const std::vector<std::string> display =
+      session.pilot ? std::vector<std::string>{"--windowed"} : services_.display_options();
+  command.insert(command.end(), display.begin(), display.end());
+  if (session.pilot) command.push_back("--pilot");
+  if (!session.pilot && std::filesystem::exists(study.roster())) {
+    command.insert(command.end(), {"--roster", study.roster()});
+  }
+  jobs_.start(words_.at(language_)("shell.resuming"), command, {}, JobKind::session);
 }
 
 void Desk::advance(std::int64_t now_us) {

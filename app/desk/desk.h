@@ -14,6 +14,7 @@
 #include "app/desk/page.h"
 #include "app/desk/services.h"
 #include "app/tool_page.h"
+#include "study/watch.h"
 
 namespace promenade::app {
 
@@ -40,6 +41,8 @@ class Desk {
   void go(DeskPlace place);
   void open(const study::StudyPlace& study);
   DeskPlace place() const { return place_; }
+  // That is open here; null: at the places without one.
+  const OpenStudy* study() { return room().study.get(); }
   // Figures walk, or something waits to be shown.
   bool moves() const;
   // A person is taking part at this machine, or frames are measured: leave it the machine.
@@ -60,6 +63,7 @@ class Desk {
   Room& room();
   DeskPage& page();
   std::unique_ptr<DeskPage> make_page(DeskPlace place);
+  void resume(const study::StudyPlace& study, const study::WatchedSession& session);
   void draw(const Ui& ui);
   void draw_tabs(const Ui& ui, const Box& bar);
   void draw_tab(const Ui& ui, DeskPlace place, Box& left);

@@ -1,0 +1,39 @@
+// The takes at the left of their page: how more of them come, what was guessed of their unit, and
+// a row for each with a chip. What failed stands first.
+#pragma once
+
+#include "app/desk/takes_chip.h"
+#include "app/desk/takes_work.h"
+#include "app/file_list.h"
+#include "app/text_box.h"
+
+namespace promenade::app {
+
+class TakesList {
+ public:
+  explicit TakesList(TakesWork& work);
+
+  void draw(const Ui& ui, const study::Texts& words, const Box& box, std::int64_t now_us);
+  // The folders in the place of the figures, while somebody looks for captures.
+  bool browsing() const { return browsing_; }
+  void draw_folders(const Ui& ui, const study::Texts& words, const Box& box);
+  void browse(bool on) { browsing_ = on; }
+  const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  void take_path();
+  void draw_unit(const Ui& ui, const study::Texts& words, Box& left);
+  void draw_rows(const Ui& ui, const study::Texts& words, const Box& box);
+  void draw_row(const Ui& ui, const study::Texts& words, const Box& box, std::size_t take);
+  void move_by_key(const Ui& ui);
+  void name_takes();
+
+  TakesWork& work_;
+  Draft path_;
+  FileList files_;
+  bool browsing_ = false;
+  std::vector<std::string> names_;  // of the takes, short
+  int named_ = -1;                  // the revision of the workshop that they are of
+};
+
+}  // namespace promenade::app

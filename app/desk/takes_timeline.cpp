@@ -1,0 +1,301 @@
+#include "app/desk/takes_timeline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace promenade::app {
+namespace {
+
+constexpr double most_seconds = 12;  // that are seen at first
+
+float to_pixels(double value) { return static_cast<float>(value); }
+
+// Slanted lines over a part of the picture.
+void hatch(const Ui& ui, const Box& box, const Rgb& colour) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float step = ui.layout.size(8);
+  ImGui::PushClipRect({box.x, box.y}, {box.right(), box.bottom()}, true);
+  for (float x = box.x - box.height; x < box.right(); x += step) {
+    list->AddLine({x, box.bottom()}, {x + box.height, box.y}, packed(colour), ui.layout.size(1));
+  }
+  ImGui::PopClipRect();
+}
+
+bool same_loop(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::abs(x - y) < 0.02; });
+}
+
+}  // namespace
+
+std::string loop_says(const motion::LoopReview& loop, const study::Texts& words) {
+  const auto mm = [](double metres) { return std::to_string(std::lround(1000 * metres)); };
+  return words.with("takes.seam_slide", {{"seam", mm(loop.seam_m)}, {"slide", mm(loop.slide_m)}});
+}
+
+// Where everything is: pixels.
+struct TakesTimeline::Rows {
+  Box ruler, left, right, loops, overview;  // without their labels
+  Box all;                                  // from the ruler to the loops
+  Shown shown;
+  double frame_time = 1;
+  int frames = 1;
+
+  float x(double frame) const {
+    return all.x + to_pixels((frame - shown.from) / (shown.to - shown.from)) * all.width;
+  }
+  Box between(const Box& row, double from, double to) const {
+    const float a = std::clamp(x(from), row.x, row.right());
+    const float b = std::clamp(x(to), row.x, row.right());
+    return {std::round(a), row.y, std::max(std::round(b) - std::round(a), 1.0f), row.height};
+  }
+  bool sees(double from, double to) const { return to >= shown.from && from <= shown.to; }
+  double frames_per_pixel() const { return (shown.to - shown.from) / all.width; }
+};
+
+// A take is seen as a whole, a long one around its chosen loop.
+void TakesTimeline::follow(const motion::TakeReview& review) {
+  if (&review == review_) return;
+  review_ = &review;
+  const double last = std::max(review.take.frames() - 1, 1);
+  const double most = most_seconds / review.take.frame_time;
+  shown_ = {0, last};
+  if (last <= most) return;
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  const double middle = walk ? work_.shop().order_of(*walk).keys.front() : 0;
+  shown_.from = std::clamp(middle - most / 2, 0.0, last - most);
+  shown_.to = shown_.from + most;
+}
+
+void TakesTimeline::zoom(const Box& box) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseWheel == 0 || !box.holds(io.MousePos.x, io.MousePos.y)) return;
+  const double last = std::max(review_->take.frames() - 1, 1);
+  const double share = (io.MousePos.x - box.x) / box.width;
+  const double at = shown_.from + share * (shown_.to - shown_.from);
+  const double wide =
+      std::clamp((shown_.to - shown_.from) * std::pow(0.8, io.MouseWheel), 10.0, last);
+  shown_.from = std::clamp(at - share * wide, 0.0, std::max(last - wide, 0.0));
+  shown_.to = std::min(shown_.from + wide, last);
+}
+
+void TakesTimeline::draw(const Ui& ui, const study::Texts& words, const Box& box) {
+  const Palette& palette = ui.look.palette;
+  fill(box, palette.panel);
+  const std::optional<std::size_t> now = work_.take();
+  const auto review = now ? work_.shop().review(*now) : nullptr;
+  if (!review) return;
+  follow(*review);
+  const float label = ui.layout.size(76), in = ui.layout.size(12);
+  Rows rows;
+  Box line{box.x + label, box.y + ui.layout.size(4), box.width - label - in, 0};
+  const auto take = [&](float height, float gap) {
+    Box row = line;
+    row.height = ui.layout.size(height);
+    line.y += row.height + ui.layout.size(gap);
+    return row;
+  };
+  rows.ruler = take(26, 2);
+  rows.left = take(22, 4);
+  rows.right = take(22, 8);
+  rows.loops = take(36, 10);
+  rows.overview = take(12, 0);
+  rows.all = {rows.ruler.x, rows.ruler.y, rows.ruler.width, rows.loops.bottom() - rows.ruler.y};
+  rows.frames = review->take.frames();
+  rows.frame_time = review->take.frame_time;
+  zoom({box.x, box.y, box.width, box.height});
+  rows.shown = shown_;
+  const auto name = [&](const Box& row, const char* key) {
+    draw_line(ui.look.fonts.text, {box.x + in, row.y, label - in, row.height}, palette.quiet,
+              words(key));
+  };
+  name(rows.left, "takes.left_foot");
+  name(rows.right, "takes.right_foot");
+  name(rows.loops, "takes.row_loops");
+  draw_rows(ui, words, rows);
+  draw_loops(ui, words, rows);
+  draw_ruler(ui, rows);
+  draw_overview(ui, rows);
+}
+
+void TakesTimeline::draw_rows(const Ui& ui, const study::Texts& words, const Rows& rows) const {
+  const Palette& palette = ui.look.palette;
+  const Box ground{rows.all.x, rows.left.y - ui.layout.size(2), rows.all.width,
+                   rows.right.bottom() - rows.left.y + ui.layout.size(4)};
+  fill(ground, palette.on_colour);
+  fill({rows.loops.x, rows.loops.y, rows.loops.width, rows.loops.height}, palette.on_colour);
+  const auto stretches = [&](const std::vector<motion::FrameRange>& list, const char* key) {
+    for (const motion::FrameRange& one : list) {
+      if (!rows.sees(one.first, one.last)) continue;
+      const Box part = rows.between(ground, one.first, one.last + 1);
+      fill(part, palette.hover);
+      hatch(ui, part, palette.line);
+      if (text_width(ui.look.fonts.text, words(key)) + ui.layout.size(12) < part.width) {
+        draw_text(ui.look.fonts.text, part, palette.quiet, words(key), Align::centre);
+      }
+    }
+  };
+  stretches(review_->stretches.standing, "takes.stands");
+  stretches(review_->stretches.turning, "takes.turns");
+  const auto steps = [&](const std::vector<motion::Stance>& list, const Box& row) {
+    for (const motion::Stance& stance : list) {
+      if (rows.sees(stance.on, stance.off)) {
+        fill(rows.between(row, stance.on, stance.off), palette.quiet);
+      }
+    }
+  };
+  steps(review_->contacts.left, rows.left);
+  steps(review_->contacts.right, rows.right);
+  for (const motion::FrameRange& gap : review_->gaps) {
+    if (rows.sees(gap.first, gap.last)) {
+      fill(rows.between(ground, gap.first, gap.last + 1), palette.alarm);
+    }
+  }
+}
+
+void TakesTimeline::draw_ruler(const Ui& ui, const Rows& rows) {
+  const Palette& palette = ui.look.palette;
+  const double seconds = (rows.shown.to - rows.shown.from) * rows.frame_time;
+  const double steps[] = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 60};
+  double step = steps[0];
+  for (const double one : steps) {
+    step = one;
+    if (seconds / one <= 10) break;
+  }
+  const double first = std::ceil(rows.shown.from * rows.frame_time / step) * step;
+  for (double at = first; at <= rows.shown.to * rows.frame_time + 1e-9; at += step) {
+    const float x = std::round(rows.x(at / rows.frame_time));
+    fill({x, rows.ruler.bottom() - ui.layout.size(5), ui.layout.size(1), ui.layout.size(5)},
+         palette.quiet);
+    const std::string text = step < 1 ? fmt::format("{:.1f} s", at) : fmt::format("{:.0f} s", at);
+    const float half = ui.layout.size(30);
+    if (x - half < rows.ruler.x || x + half > rows.ruler.right()) continue;
+    draw_text(ui.look.fonts.text, {x - half, rows.ruler.y, 2 * half, ui.layout.size(20)},
+              palette.quiet, text, Align::centre);
+  }
+  const double wide = rows.shown.to - rows.shown.from;
+  const double share = std::clamp((work_.frame() - rows.shown.from) / wide, 0.0, 1.0);
+  if (const auto to = drag_bar(ui, "slide", "time", rows.ruler, share)) {
+    work_.scrub(rows.shown.from + *to * wide);
+  }
+  if (!rows.sees(work_.frame(), work_.frame())) return;
+  const float x = std::round(rows.x(work_.frame()));
+  const float thick = ui.layout.size(2);
+  fill({x - thick / 2, rows.ruler.y, thick, rows.all.height}, palette.text);
+}
+
+void TakesTimeline::draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows) {
+  const Palette& palette = ui.look.palette;
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  const std::vector<double> chosen =
+      walk ? work_.shop().order_of(*walk).keys : std::vector<double>();
+  std::vector<const motion::CycleCandidate*> loops;
+  for (const motion::CycleCandidate& one : review_->search.candidates) loops.push_back(&one);
+  std::sort(loops.begin(), loops.end(),
+            [](const auto* a, const auto* b) { return a->first() < b->first(); });
+  const Rgb ground = 0.5f * (palette.known + palette.example);
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const motion::CycleCandidate& loop = *loops[k];
+    if (!rows.sees(loop.first(), loop.keys.back())) continue;
+    Box band = rows.between(rows.loops, loop.first(), loop.keys.back());
+    band = {band.x + 1, band.y, std::max(band.width - 2, 1.0f), band.height};
+    if (!same_loop(loop.keys, chosen)) {
+      fill(band, palette.known);
+      frame(band, ground, ui.layout.size(1));
+    }
+    const bool pressed = pressed_area(ui, "loop", std::to_string(k), band, false);
+    if (!pressed || !walk || same_loop(loop.keys, chosen)) continue;
+    work_.shop().choose_loop(*walk, loop.keys);
+    work_.look_at(walk->take, walk->cycle);
+  }
+  draw_chosen(ui, words, rows);
+}
+
+void TakesTimeline::draw_chosen(const Ui& ui, const study::Texts& words, const Rows& rows) {
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  if (!walk) return;
+  const Palette& palette = ui.look.palette;
+  const std::size_t count = work_.shop().takes()[walk->take].source.cycles.size();
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::vector<double> keys = work_.shop().order_of({walk->take, c}).keys;
+    if (!rows.sees(keys.front(), keys.back())) continue;
+    const Box band = rows.between(rows.loops, keys.front(), keys.back());
+    const bool mine = c == walk->cycle;
+    fill(band, mine ? palette.created : palette.example);
+    const auto loop = work_.loop({walk->take, c});
+    if (!loop) continue;
+    const std::string says = loop_says(*loop, words);
+    const bool fits = text_width(ui.look.fonts.bold, says) + ui.layout.size(24) < band.width;
+    if (mine && fits) {
+      draw_text(ui.look.fonts.bold, band, palette.on_colour, says, Align::centre);
+    }
+  }
+  draw_edge(ui, rows, false);
+  draw_edge(ui, rows, true);
+}
+
+void TakesTimeline::move_edge(const study::WalkPlace& walk, bool last, double frame) {
+  work_.shop().move_end(walk, last, frame, gesture_);
+}
+
+void TakesTimeline::draw_edge(const Ui& ui, const Rows& rows, bool last) {
+  const study::WalkPlace walk = *work_.walk();
+  const std::vector<double> keys = work_.shop().order_of(walk).keys;
+  const double at = last ? keys.back() : keys.front();
+  if (!rows.sees(at, at)) return;
+  const Palette& palette = ui.look.palette;
+  const float x = std::round(rows.x(at));
+  const float half = ui.layout.size(8);
+  const Box grip{x - half, rows.loops.y - ui.layout.size(4), 2 * half,
+                 rows.loops.height + ui.layout.size(8)};
+  const auto scale = to_pixels(1 / rows.frames_per_pixel());
+  const PlaneTouch touch =
+      plane(ui, "edge", last ? "last" : "first", grip, {rows.x(0), grip.middle_y()}, {scale, 1});
+  const float thick = ui.layout.size(touch.hovered || touch.held ? 6 : 4);
+  fill({x - thick / 2, grip.y, thick, grip.height}, palette.text);
+  const double hand =
+      rows.shown.from + (ImGui::GetIO().MousePos.x - rows.all.x) * rows.frames_per_pixel();
+  if (touch.pressed) {
+    grip_ = at - hand;
+    gesture_ = work_.new_gesture();
+  } else if (touch.held && touch.moved.x() != 0) {
+    move_edge(walk, last, hand + grip_);
+  }
+  if (!touch.focused || touch.held) return;
+  const int by =
+      (key_pressed(ImGuiKey_RightArrow) ? 1 : 0) - (key_pressed(ImGuiKey_LeftArrow) ? 1 : 0);
+  if (by == 0) return;
+  gesture_ = work_.new_gesture();
+  move_edge(walk, last, at + by);
+}
+
+// The take as a whole; the part that is seen is moved by dragging.
+void TakesTimeline::draw_overview(const Ui& ui, const Rows& rows) {
+  const Palette& palette = ui.look.palette;
+  const double last = std::max(rows.frames - 1, 1);
+  const double wide = rows.shown.to - rows.shown.from;
+  const Box& bar = rows.overview;
+  const auto x = [&](double frame) { return bar.x + to_pixels(frame / last) * bar.width; };
+  fill(bar, palette.track);
+  for (const motion::CycleCandidate& loop : review_->search.candidates) {
+    const float from = std::round(x(loop.first())), to = std::round(x(loop.keys.back()));
+    fill({from, bar.y, std::max(to - from - 1, 1.0f), bar.height}, palette.example);
+  }
+  for (const motion::FrameRange& gap : review_->gaps) {
+    fill({x(gap.first), bar.y, std::max(x(gap.last) - x(gap.first), 2.0f), bar.height},
+         palette.alarm);
+  }
+  const Box seen{std::round(x(rows.shown.from)), bar.y,
+                 std::round(to_pixels(wide / last) * bar.width), bar.height};
+  frame(seen, palette.text, ui.layout.size(2));
+  if (wide >= last) return;
+  const double middle = (rows.shown.from + wide / 2) / last;
+  if (const auto to = drag_bar(ui, "slide", "part", bar, middle)) {
+    shown_.from = std::clamp(*to * last - wide / 2, 0.0, last - wide);
+    shown_.to = shown_.from + wide;
+  }
+}
+
+}  // namespace promenade::app

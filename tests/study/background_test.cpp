@@ -1,0 +1,47 @@
+#include "study/background.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <vector>
+
+namespace promenade::study {
+namespace {
+
+TEST(Background, DeliversInOrderInTheThreadThatAsks) {
+  Background background;
+  std::vector<int> done;
+  const std::thread::id here = std::this_thread::get_id();
+  for (int k = 0; k < 5; ++k) {
+    background.ask([&done, k, here](const std::stop_token&) -> Background::Result {
+      const bool beside = std::this_thread::get_id() != here;
+      return [&done, k, beside, here] {
+        if (beside && std::this_thread::get_id() == here) done.push_back(k);
+      };
+    });
+  }
+  while (background.busy()) {
+    background.deliver();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3, 4}));
+}
+
+TEST(Background, LeavesWhatWaitsWhenItEnds) {
+  int done = 0;
+  {
+    Background background;
+    background.ask([](const std::stop_token& ended) -> Background::Result {
+      while (!ended.stop_requested()) std::this_thread::yield();
+      return {};
+    });
+    background.ask([&done](const std::stop_token&) -> Background::Result {
+      ++done;
+      return {};
+    });
+  }
+  EXPECT_EQ(done, 0);
+}
+
+}  // namespace
+}  // namespace promenade::study
