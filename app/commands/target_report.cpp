@@ -74,9 +74,9 @@ TargetReport report_case(const StudyBundle& bundle, const study::ReachModels& mo
   return report;
 }
 
-void note_progress(const StudyBundle& bundle, std::size_t done, std::size_t count) {
+bool note_progress(const StudyBundle& bundle, std::size_t done, std::size_t count) {
   show_progress("targets checked:", static_cast<int>(done), static_cast<int>(count));
-  if (!interrupted()) return;
+  if (!interrupted()) return true;
   throw OutsideError(fmt::format("stopped after {} of {} targets of {}", done, count, bundle.file));
 }
 
@@ -168,13 +168,21 @@ void warn_of_shares(const Group& group, Sentences& warnings) {
 }  // namespace
 
 std::vector<TargetReport> report_targets(const StudyBundle& bundle) {
+  return report_targets(bundle, [&](const std::vector<TargetReport>& done, std::size_t count) {
+    return note_progress(bundle, done.size(), count);
+  });
+}
+
+std::vector<TargetReport> report_targets(
+    const StudyBundle& bundle,
+    const std::function<bool(const std::vector<TargetReport>& done, std::size_t count)>& goes_on) {
   std::vector<TargetReport> reports;
   const std::vector<Case> cases = cases_of(bundle.study);
   if (cases.empty()) return reports;
   const study::ReachModels models = study::make_reach_models(bundle);
   for (const Case& one : cases) {
     reports.push_back(report_case(bundle, models, one));
-    note_progress(bundle, reports.size(), cases.size());
+    if (!goes_on(reports, cases.size())) break;
   }
   return reports;
 }

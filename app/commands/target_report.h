@@ -2,6 +2,7 @@
 // about them, and what is unfair.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ struct TargetReport {
 
 // Throws OutsideError when it is interrupted: thousands of targets take minutes.
 std::vector<TargetReport> report_targets(const study::StudyBundle& bundle);
+// The same without a word: `goes_on` is told what is done of how many, and says whether to go on.
+std::vector<TargetReport> report_targets(
+    const study::StudyBundle& bundle,
+    const std::function<bool(const std::vector<TargetReport>& done, std::size_t count)>& goes_on);
 
 // What is legal but unwise. Targets that are drawn for each participant are one warning.
 std::vector<Problem> warnings_of(const std::string& file, const std::vector<TargetReport>& reports);

@@ -85,7 +85,13 @@ class DeskWindow {
   }
 
  private:
-  bool ended() const { return window_.closing() || interrupted(); }
+  bool ended() {
+    if (interrupted()) return true;
+    if (!window_.closing()) return false;
+    if (desk_.may_close()) return true;
+    window_.stay();
+    return false;
+  }
   bool lively() const {
     constexpr std::int64_t patience_us = 2'000'000;
     return !desk_.quiet() && (desk_.moves() || now_us_ - touched_us_ < patience_us);

@@ -39,6 +39,10 @@ class EditControls {
   // Pixels.
   float height(const FormPass& pass, const FormRow& row) const;
   void draw(const FormPass& pass, const FormRow& row, const Box& box);
+  // Nobody writes any more: the fields are hidden.
+  void leave();
+  // Other fields have these paths now.
+  void forget() { boxes_.clear(); }
   // What was written in a field is no value for it.
   bool is_refused(const study::TomlPath& path) const;
   // The kind of control that the keyboard comes to for a field, and its target.

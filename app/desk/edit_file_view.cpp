@@ -12,6 +12,7 @@ namespace {
 
 constexpr float row_height = 22;
 constexpr float number_width = 44;
+constexpr float continued = 20;  // a line that goes on is set in
 
 float step_of(const Ui& ui) { return ui.layout.size(row_height); }
 
@@ -98,11 +99,12 @@ void EditFileView::find_focus(const study::StudyDraft& draft, const study::TomlP
 }
 
 void EditFileView::bring_into_sight(const Ui& ui, float view_height) {
-  if (!moved_) return;
+  const int line = wanted_ > 0 ? wanted_ : moved_ ? first_ : 0;
   moved_ = false;
-  if (first_ == 0) return;
-  const auto row = std::find_if(rows_.begin(), rows_.end(),
-                                [this](const Row& one) { return one.line == first_; });
+  wanted_ = 0;
+  if (line == 0) return;
+  const auto row =
+      std::find_if(rows_.begin(), rows_.end(), [line](const Row& one) { return one.line == line; });
   const float y = static_cast<float>(row - rows_.begin()) * step_of(ui);
   const float top = ImGui::GetScrollY();
   const float edge = 2 * step_of(ui);
@@ -122,7 +124,8 @@ void EditFileView::draw_row(const Ui& ui, const std::string& text, const Row& ro
   const std::size_t middle = std::clamp(row.remark, row.begin, row.end);
   const std::string_view words = std::string_view(text).substr(row.begin, middle - row.begin);
   const std::string_view remark = std::string_view(text).substr(middle, row.end - middle);
-  Box place{box.x + numbers, box.y, box.width - numbers, box.height};
+  const float in = row.goes_on ? numbers + ui.layout.size(continued) : numbers;
+  Box place{box.x + in, box.y, box.width - in, box.height};
   draw_text(font, place, palette.text, words);
   place.x += text_width(font, words);
   draw_text(ui.look.fonts.text, place, palette.quiet, remark);
@@ -144,7 +147,7 @@ std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study:
   const Palette& palette = ui.look.palette;
   fill(box, palette.on_colour);
   const float bar = ImGui::GetStyle().ScrollbarSize;
-  lay_out(ui, draft, box.width - bar - ui.layout.size(number_width + 8));
+  lay_out(ui, draft, box.width - bar - ui.layout.size(number_width + continued + 4));
   find_focus(draft, focused);
   std::optional<int> pressed;
   const float step = step_of(ui);

@@ -18,6 +18,8 @@ class EditFileView {
   std::optional<int> draw(const Ui& ui, const Box& box, const study::StudyDraft& draft,
                           const std::vector<PlacedProblem>& problems,
                           const study::TomlPath& focused);
+  // Brings a line into sight, from 1.
+  void show(int line) { wanted_ = line; }
   // Lines that are marked as the field's, from 1; 0: none.
   int first_marked() const { return first_; }
 
@@ -43,6 +45,7 @@ class EditFileView {
   float width_ = 0;
   int first_ = 0, last_ = 0;  // lines of the field
   study::TomlPath focused_;
+  int wanted_ = 0;      // a line to be brought into sight; 0: none
   bool moved_ = false;  // another field: it is to be brought into sight
 };
 

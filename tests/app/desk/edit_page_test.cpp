@@ -73,8 +73,8 @@ TEST_F(Edit, AddsAnInterfaceThatIsNotThereYet) {
 TEST_F(Edit, ChangesASettingOfAnInterface) {
   click("section", "interfaces");
   press("item/interface[0]");
-  click("tick", "interface[0].search");
-  EXPECT_EQ(text().find("search = "), text().find("\"labels\"\n") + 9);
+  click("tick", "interface[0].sorted");
+  EXPECT_EQ(text().find("sorted = false"), text().find("\"labels\"\n") + 9);
 }
 
 TEST_F(Edit, ChangesATarget) {
