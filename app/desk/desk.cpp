@@ -75,6 +75,7 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::results:
       return make_results_page(services_, *room().study);
     case DeskPlace::takes:
+      return make_takes_page(services_);
     case DeskPlace::edit:
     case DeskPlace::watch:
       break;

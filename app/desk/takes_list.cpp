@@ -24,12 +24,13 @@ std::string home_folder() {
 
 TakesList::TakesList(TakesWork& work) : work_(work), files_(home_folder(), {".bvh", ".amc"}) {}
 
-void TakesList::name_takes() {
-  if (named_ == work_.shop().revision()) return;
+const std::vector<std::string>& TakesList::names() {
+  if (named_ == work_.shop().revision()) return names_;
   named_ = work_.shop().revision();
   std::vector<std::string> files;
   for (const study::WorkshopTake& take : work_.shop().takes()) files.push_back(take.source.file);
   names_ = study::short_names(files);
+  return names_;
 }
 
 void TakesList::take_path() {
@@ -40,7 +41,6 @@ void TakesList::take_path() {
 }
 
 void TakesList::draw(const Ui& ui, const study::Texts& words, const Box& box, std::int64_t now_us) {
-  name_takes();
   Column column(ui, box);
   Box line = column.take(40, 6);
   const float gap = ui.layout.size(6);
@@ -71,16 +71,20 @@ void TakesList::draw_unit(const Ui& ui, const study::Texts& words, Box& left) {
   std::copy_if(guessed.begin(), guessed.end(), std::back_inserter(alike),
                [&](std::size_t t) { return work_.shop().review(t)->figure.unit_m == guess; });
   const auto leg = work_.shop().review(alike.front())->figure.leg_m;
-  const std::string text = words.with(
-      "takes.unit_says",
-      {{"unit", unit_name(guess, words)}, {"leg", std::to_string(std::lround(100 * leg))}});
-  const float in = ui.layout.size(8);
+  const std::string text =
+      words.with("takes.unit_says", {{"leg", std::to_string(std::lround(100 * leg))}});
+  const Chip chip{words.with("takes.unit_guessed", {{"unit", unit_name(guess, words)}}),
+                  ChipKind::doubt};
+  const float in = ui.layout.size(8), line = ui.layout.size(28);
   const float high = paragraphs_height(ui.look.fonts.text, left.width - 2 * in, text);
-  const Box card{left.x, left.y, left.width, high + ui.layout.size(36) + 3 * in};
+  const Box card{left.x, left.y, left.width, line + high + ui.layout.size(36) + 4 * in};
   const Palette& palette = ui.look.palette;
-  fill(card, palette.pilot);
-  draw_paragraphs(ui.look.fonts.text, card.x + in, card.y + in, card.width - 2 * in,
-                  ink_on(palette, palette.pilot), text);
+  fill(card, palette.panel);
+  draw_chip(ui,
+            {card.x + in, card.y + in, std::min(chip_width(ui, chip), card.width - 2 * in), line},
+            chip);
+  draw_paragraphs(ui.look.fonts.text, card.x + in, card.y + line + 2 * in, card.width - 2 * in,
+                  palette.text, text);
   const float half = (card.width - 3 * in) / 2;
   const Box yes{card.x + in, card.bottom() - in - ui.layout.size(36), half, ui.layout.size(36)};
   if (button(ui, "unit_right", yes, words("takes.unit_right"), ButtonKind::outlined)) {
@@ -134,7 +138,7 @@ void TakesList::draw_row(const Ui& ui, const study::Texts& words, const Box& box
                  failed ? room : room - wide - in, failed ? high : box.height};
   const bool aside = work_.shop().verdict(take).state == study::TakeState::left_out;
   draw_line(shown || failed ? ui.look.fonts.bold : ui.look.fonts.text, name,
-            aside ? palette.quiet : palette.text, names_[take]);
+            aside ? palette.quiet : palette.text, names()[take]);
   draw_chip(ui, chip_box, chip);
 }
 
