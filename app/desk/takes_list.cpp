@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 
 #include "app/choice.h"
 #include "app/desk/column.h"
@@ -13,7 +14,24 @@ namespace promenade::app {
 namespace {
 
 constexpr std::array<double, 5> units = {1, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
-constexpr float row_height = 38, failed_height = 66;  // at 1280 x 720
+constexpr float row_height = 38, failed_height = 62, head_height = 34;  // at 1280 x 720
+
+// Of the list, in its order.
+enum class Part { refused, used, left_out };
+
+Part part_of(const study::Verdict& verdict) {
+  if (verdict.refused()) return Part::refused;
+  return verdict.state == study::TakeState::left_out ? Part::left_out : Part::used;
+}
+
+void draw_head(const Ui& ui, const study::Texts& words, const Box& box, Part part, int count) {
+  const char* key = part == Part::refused ? "takes.head.refused"
+                    : part == Part::used  ? "takes.head.used"
+                                          : "takes.head.left_out";
+  draw_text(ui.look.fonts.bold, {box.x + ui.layout.size(10), box.y, box.width, box.height},
+            part == Part::refused ? ui.look.palette.alarm : ui.look.palette.quiet,
+            words.with(key, {{"count", std::to_string(count)}}));
+}
 
 std::string home_folder() {
   const char* home = std::getenv("HOME");
@@ -98,16 +116,26 @@ void TakesList::draw_unit(const Ui& ui, const study::Texts& words, Box& left) {
   left.height -= card.height + in;
 }
 
+// A line over each part of the list says what it is, and how many.
 void TakesList::draw_rows(const Ui& ui, const study::Texts& words, const Box& box) {
-  const study::Workshop& shop = work_.shop();
+  const std::vector<std::size_t> list = work_.listed();
+  std::map<Part, int> counts;
+  for (const std::size_t t : list) ++counts[part_of(work_.shop().verdict(t))];
+  const float head = ui.layout.size(head_height);
   const auto height = [&](std::size_t t) {
-    return ui.layout.size(shop.verdict(t).refused() ? failed_height : row_height);
+    return ui.layout.size(work_.shop().verdict(t).refused() ? failed_height : row_height);
   };
-  float high = 0;
-  for (const std::size_t t : work_.listed()) high += height(t);
+  float high = static_cast<float>(counts.size()) * head;
+  for (const std::size_t t : list) high += height(t);
   scrolled("takes", box, high, [&](const Box& all) {
     float y = all.y;
-    for (const std::size_t t : work_.listed()) {
+    for (const std::size_t t : list) {
+      const Part part = part_of(work_.shop().verdict(t));
+      if (const auto count = counts.find(part); count != counts.end()) {
+        draw_head(ui, words, {all.x, y, all.width, head}, part, count->second);
+        y += head;
+        counts.erase(count);
+      }
       draw_row(ui, words, {all.x, y, all.width, height(t)}, t);
       y += height(t);
     }

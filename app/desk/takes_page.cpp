@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "app/desk/column.h"
 #include "app/desk/pages.h"
@@ -98,6 +99,7 @@ void TakesPage::draw_middle(const Ui& ui, const study::Texts& words, const Box& 
     draw_nothing_yet(ui, words, box);
   } else {
     draw_take(ui, words, box);
+    if (std::exchange(forgotten_, false)) work_.shop().forget(*work_.take());
   }
 }
 
@@ -124,7 +126,7 @@ void TakesPage::draw_take(const Ui& ui, const study::Texts& words, const Box& bo
                          ? ui.layout.size(30)
                          : paragraphs_height(ui.look.fonts.text, wide, reason) + ui.layout.size(58);
   Box left = box;
-  draw_says(ui, words, {left.x, left.y, left.width, says});
+  draw_says(ui, words, {left.x, left.y, left.width, says}, reason);
   left.y += says + in;
   left.height -= says + in;
   if (!seen) {
@@ -166,37 +168,42 @@ void TakesPage::draw_lines(const Ui& ui, const study::Texts& words, const Box& b
   }
 }
 
+std::string TakesPage::facts_of(const study::Texts& words, std::size_t take) const {
+  const std::filesystem::path file(work_.shop().takes()[take].source.file);
+  const auto review = work_.shop().review(take);
+  if (!review) return file.filename().string();
+  const motion::Take& seen = review->take;
+  return words.with("takes.facts",
+                    {{"file", file.filename().string()},
+                     {"seconds", fmt::format("{:.1f}", seen.frames() * seen.frame_time)},
+                     {"rate", fmt::format("{:.0f}", 1 / seen.frame_time)},
+                     {"joints", std::to_string(review->joints())}});
+}
+
 // What the take is; where it was refused, why in plain words.
-void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& box) {
+void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& box,
+                          const std::string& reason) {
   const Palette& palette = ui.look.palette;
-  const study::Workshop& shop = work_.shop();
   const std::size_t take = *work_.take();
-  const std::string reason = reason_of(shop, take, words);
-  const auto review = shop.review(take);
-  const float in = ui.layout.size(14);
-  std::string facts = std::filesystem::path(shop.takes()[take].source.file).filename().string();
-  if (review) {
-    facts = words.with(
-        "takes.facts",
-        {{"file", facts},
-         {"seconds", fmt::format("{:.1f}", review->take.frames() * review->take.frame_time)},
-         {"rate", fmt::format("{:.0f}", 1 / review->take.frame_time)},
-         {"joints", std::to_string(review->joints())}});
-  }
-  if (reason.empty()) {
-    return draw_line(ui.look.fonts.text, box, palette.quiet, facts);
-  }
-  const bool failed = shop.verdict(take).refused();
+  const std::string facts = facts_of(words, take);
+  if (reason.empty()) return draw_line(ui.look.fonts.text, box, palette.quiet, facts);
+  const bool failed = work_.shop().verdict(take).refused();
+  const float in = ui.layout.size(14), gap = ui.layout.size(8);
   fill(box, palette.on_colour);
   fill({box.x, box.y, ui.layout.size(6), box.height}, failed ? palette.alarm : palette.line);
-  const Chip chip = chip_of(shop, take, words);
-  const Box line{box.x + in, box.y + ui.layout.size(8), box.width - 2 * in, ui.layout.size(28)};
-  const float wide = std::min(chip_width(ui, chip), 0.6f * line.width);
-  draw_chip(ui, {line.x, line.y, wide, line.height}, chip);
-  draw_line(ui.look.fonts.bold, {line.x + wide + in, line.y, line.width - wide - in, line.height},
-            palette.text, facts);
-  draw_paragraphs(ui.look.fonts.text, line.x, line.bottom() + ui.layout.size(8), line.width,
-                  palette.text, reason);
+  Box line{box.x + in, box.y + gap, box.width - 2 * in, ui.layout.size(28)};
+  const float under = line.bottom() + gap, whole = line.width;
+  const Chip chip = chip_of(work_.shop(), take, words);
+  const Box chip_box{line.x, line.y, std::min(chip_width(ui, chip), 0.5f * whole), line.height};
+  draw_chip(ui, chip_box, chip);
+  const std::string& off = words("takes.forget");
+  const float wide = std::round(text_width(ui.look.fonts.text, off)) + ui.layout.size(24);
+  const Box forget{line.right() - wide, line.y, wide, line.height};
+  if (button(ui, "forget", forget, off, ButtonKind::outlined)) forgotten_ = true;
+  line.x = chip_box.right() + in;
+  line.width = forget.x - in - line.x;
+  draw_line(ui.look.fonts.bold, line, palette.text, facts);
+  draw_paragraphs(ui.look.fonts.text, chip_box.x, under, whole, palette.text, reason);
 }
 
 void TakesPage::draw_tools(const Ui& ui, const study::Texts& words, const Box& box) {

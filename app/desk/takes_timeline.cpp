@@ -205,7 +205,8 @@ void TakesTimeline::draw_ruler(const Ui& ui, const Rows& rows) {
   if (!rows.sees(work_.frame(), work_.frame())) return;
   const float x = std::round(rows.x(work_.frame()));
   const float thick = ui.layout.size(2);
-  fill({x - thick / 2, rows.ruler.y, thick, rows.right.bottom() - rows.ruler.y}, palette.text);
+  const float top = rows.ruler.bottom() - ui.layout.size(7);
+  fill({x - thick / 2, top, thick, rows.right.bottom() - top}, palette.text);
 }
 
 void TakesTimeline::draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows) {

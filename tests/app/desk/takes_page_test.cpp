@@ -140,6 +140,10 @@ TEST_F(TakesDesk, SaysInPlainWordsWhyATakeFailed) {
   EXPECT_EQ(chips["walk_sad_001.bvh"], "3 loops");
   click("take", "walk_broken_001.bvh");
   EXPECT_FALSE(has("edge", "last")) << "there is nothing to cut";
+  click("press", "forget");
+  EXPECT_FALSE(has("take", "walk_broken_001.bvh"));
+  undo();
+  EXPECT_TRUE(has("take", "walk_broken_001.bvh"));
 }
 
 TEST_F(TakesDesk, DragsAnEndOfALoopAndUndoesItAtOnce) {
@@ -183,6 +187,19 @@ TEST_F(TakesDesk, ChoosesAnotherLoopByAPress) {
   EXPECT_NE(first_frame(), before);
   undo();
   EXPECT_EQ(first_frame(), before);
+}
+
+TEST_F(TakesDesk, GivesASecondWalkOfATake) {
+  captures_.add_walks();
+  bring();
+  click("take", "walk_sad_001.bvh");
+  click("press", "another_loop");
+  EXPECT_EQ(names().back(), "sad_2");
+  EXPECT_EQ(page_.work().walk()->cycle, 1U);
+  click("press", "leave_out");
+  EXPECT_EQ(names(), (Names{"happy_1", "happy_2"}));
+  click("press", "leave_out");
+  EXPECT_EQ(names().size(), 4U);
 }
 
 TEST_F(TakesDesk, RenamesAndRemovesInPlace) {
