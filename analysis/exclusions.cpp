@@ -134,4 +134,12 @@ std::vector<Exclusion> parse_exclusions(const std::string& file, std::string_vie
   return reader.take();
 }
 
+std::string exclusions_csv(const std::vector<Exclusion>& exclusions) {
+  std::string text = study::csv_line({"code", "reason", "rule", "date"});
+  for (const Exclusion& one : exclusions) {
+    text += study::csv_line({one.code, one.reason, one.rule, one.date});
+  }
+  return text;
+}
+
 }  // namespace promenade::analysis

@@ -20,4 +20,7 @@ struct Exclusion {
 // order. Text in double quotes may hold commas. Throws InputError with all wrong lines.
 std::vector<Exclusion> parse_exclusions(const std::string& file, std::string_view text);
 
+// The same as such a text, with its heading.
+std::string exclusions_csv(const std::vector<Exclusion>& exclusions);
+
 }  // namespace promenade::analysis

@@ -100,7 +100,7 @@ LiveSession::Resumed LiveSession::go_on(const std::string& uuid, const study::St
   }
 }
 
-void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {
+study::Input LiveSession::input_at(StudyAction action, const Moment& moment, study::Actor actor) {
   study::Input input;
   // Time never goes back, whatever order events come in.
   last_us_ = input.t_us = std::max(last_us_, since_began(moment.t_us));
@@ -110,7 +110,41 @@ void LiveSession::take(StudyAction action, const Moment& moment, study::Actor ac
   input.y = moment.y;
   input.actor = actor;
   input.action = std::move(action);
+  return input;
+}
+
+void LiveSession::take(StudyAction action, const Moment& moment, study::Actor actor) {
+  keep(session_.step(input_at(std::move(action), moment, actor)));
+}
+
+// What the session made of it, it says itself: what did nothing logged nothing.
+void LiveSession::obey(const study::Request& request, const Moment& moment) {
+  if (session_.ended()) return;
+  if (request.page >= 0 && request.page != session_.page_index()) {
+    return refuse(request, "page", moment);
+  }
+  std::optional<StudyAction> action = study::action_of(request);
+  if (!action) return refuse(request, request.what == "unknown" ? "unknown" : "words", moment);
+  study::Input input = input_at(std::move(*action), moment, study::Actor::experimenter);
+  input.request = request.id;
   std::vector<Record> records = session_.step(input);
+  const bool done = std::any_of(records.begin(), records.end(), [](const Record& record) {
+    const auto* event = std::get_if<study::Event>(&record);
+    return event != nullptr && event->actor == study::Actor::experimenter;
+  });
+  keep(std::move(records));
+  if (!done) refuse(request, "state", moment);
+}
+
+void LiveSession::refuse(const study::Request& request, const std::string& why,
+                         const Moment& moment) {
+  study::Input input =
+      input_at(study::Refused{request.what, why}, moment, study::Actor::experimenter);
+  input.request = request.id;
+  keep(session_.step(input));
+}
+
+void LiveSession::keep(std::vector<Record> records) {
   if (recorded_) {
     guard([&] { write(records); });
   } else {

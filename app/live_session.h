@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/window/shown_frame.h"
+#include "study/control.h"
 #include "study/frame_histogram.h"
 #include "study/session.h"
 #include "study/store.h"
@@ -56,6 +58,11 @@ class LiveSession {
 
   void take(StudyAction action, const Moment& moment,
             study::Actor actor = study::Actor::participant);
+  // Does what a watcher asks for, as the experimenter. What cannot be done now is logged as
+  // refused.
+  void obey(const study::Request& request, const Moment& moment);
+  // `why`: as study::Refused has it.
+  void refuse(const study::Request& request, const std::string& why, const Moment& moment);
   // Time passed, with nothing done.
   void tick(std::int64_t t_us) { take(study::Tick{}, {.t_us = t_us}, study::Actor::system); }
 
@@ -79,6 +86,8 @@ class LiveSession {
   const std::optional<std::string>& failure() const { return failure_; }
 
  private:
+  study::Input input_at(StudyAction action, const Moment& moment, study::Actor actor);
+  void keep(std::vector<study::Record> records);
   void write(const std::vector<study::Record>& records);
   bool begin();  // false: the code is used
   Resumed go_on(const std::string& uuid, const study::StudyBundle& bundle,

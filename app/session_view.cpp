@@ -6,6 +6,7 @@
 
 #include "app/trial_cast.h"
 #include "study/adjective_model.h"
+#include "study/identity.h"
 
 namespace promenade::app {
 namespace {
@@ -14,6 +15,7 @@ using study::PageKind;
 
 constexpr const char* closed_by_hand = "window closed";
 constexpr int most_passes = 32;  // in one frame
+constexpr std::int64_t ask_period_us = 200'000;
 
 std::vector<OfferedLanguage> offered(const study::StudyBundle& bundle) {
   std::vector<OfferedLanguage> languages;
@@ -190,8 +192,30 @@ void SessionView::frame(std::int64_t now_us) {
     pass(now_us);
   }
   take_late_frames(queue_.settled_us(now_us));
+  take_requests(now_us);
   live_.tick(queue_.settled_us(now_us));
   live_.flush(now_us);
+}
+
+// Behind all that the participant did before.
+void SessionView::take_requests(std::int64_t now_us) {
+  const bool can = options_.requests != nullptr && live_.recorded() && queue_.empty() && !ended();
+  if (!can || now_us - asked_us_ < ask_period_us) return;
+  asked_us_ = now_us;
+  if (!options_.requests->waiting()) return;
+  const study::RequestReader::News news =
+      options_.requests->take(live_.store().session(), study::utc_now());
+  const Moment moment{.t_us = now_us, .frame_us = shown_us_};
+  for (const study::Request& late : news.late) live_.refuse(late, "late", moment);
+  for (const study::Request& one : news.asked) obey(one, moment);
+  if (news.broken) live_.take(study::Refused{"", "broken"}, moment, study::Actor::system);
+}
+
+// Whoever has opened the experimenter's panel decides, a note apart.
+void SessionView::obey(const study::Request& request, const Moment& moment) {
+  if (memory_.panel.open && request.what != "note") return live_.refuse(request, "panel", moment);
+  live_.obey(request, moment);
+  if (!live_.session().paused()) memory_.asks_to_end = memory_.back_again = false;
 }
 
 void SessionView::settle(std::int64_t now_us) {

@@ -21,6 +21,8 @@ struct ViewOptions {
   std::vector<study::InterruptedSession> interrupted = {};  // here, of this kind
   // What a roster says to a code; empty: there is none, and every code is good.
   std::function<RosterAnswer(const std::string& typed)> ask_roster = {};
+  // Where a watcher asks for things; null: nowhere. Outlives the view.
+  study::RequestReader* requests = nullptr;
 };
 
 // Every text that the pages can show, in every language of the study.
@@ -72,6 +74,8 @@ class SessionView {
   const study::PlannedTrial& planned() const;  // of the page
   Moment moment_at(std::int64_t t_us, std::int64_t uncertainty_us) const;
   void take_presses();
+  void take_requests(std::int64_t now_us);
+  void obey(const study::Request& request, const Moment& moment);
   void take_actions();
   void leave_welcome();
   void close_left();
@@ -104,6 +108,7 @@ class SessionView {
   const study::Page* page_ = nullptr;  // of the frame before
   int cover_ = 0;                      // and what covered it
   std::string copy_problem_;           // empty: none
+  std::int64_t asked_us_ = 0;          // when it was last seen whether a watcher asks
   bool closed_ = false;
 };
 

@@ -15,6 +15,7 @@
 #include "app/window/gui_renderer.h"
 #include "study/copy.h"
 #include "study/identity.h"
+#include "study/withdraw.h"
 
 namespace promenade::app {
 namespace {
@@ -103,10 +104,11 @@ class Player {
   }
 
   // Whose code was given is asked for nobody else.
-  ViewOptions view_options(study::Store& store) const {
+  ViewOptions view_options(study::Store& store) {
     const bool simulated = setting_.autopilot.has_value();
     ViewOptions options{setting_.language, setting_.participant, setting_.pilot, simulated, {}};
     options.ask_roster = setting_.ask_roster;
+    options.requests = &requests_;
     for (study::InterruptedSession& one : store.interrupted_sessions(simulated, setting_.pilot)) {
       const bool wanted = setting_.participant.empty() || setting_.participant == one.participant;
       // Whoever left may come back anywhere.
@@ -222,6 +224,7 @@ class Player {
   bool ended() const { return view_->ended(); }
 
   const SessionSetting& setting_;
+  study::RequestReader requests_{setting_.database};
   InputQueue queue_;
   Window window_;
   Gui gui_;
@@ -250,6 +253,9 @@ SessionResult run_session(const SessionSetting& setting) {
   study::Store store(setting.database, setting.bundle);
   if (!setting.trace.empty()) store.trace_to(setting.trace);
   SessionResult result = Player(setting, store).play();
+  if (study::running_session(store.database(), store.session()).empty()) {
+    study::remove_requests(setting.database);
+  }
   // With how it ended, too.
   if (result.recorded) {
     result.copy_problem =

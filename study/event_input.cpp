@@ -68,6 +68,7 @@ std::optional<Action> action_of(const Event& event) {
                      detail.value("declined", false)};
   }
   if (event.kind == "note") return Note{detail.value("text", "")};
+  if (event.kind == "request_refused") return Refused{event.target, detail.value("why", "")};
   if (event.kind == "skip") return Skip{detail.value("reason", "")};
   if (event.kind == "repeat") {
     return Repeat{event.target == "block", detail.value("reason", ""), event.target == "guess"};
@@ -87,18 +88,24 @@ std::optional<Action> action_of(const Event& event) {
   return control_of(event, detail);
 }
 
+std::string request_in(const Event& event) {
+  if (event.actor != Actor::experimenter || event.detail.empty()) return "";
+  return Json::parse(event.detail).value("request", "");
+}
+
 }  // namespace
 
 std::optional<Input> input_of(const Event& event) {
   std::optional<Action> action;
+  Input input;
   try {
     action = action_of(event);
+    input.request = request_in(event);
   } catch (const Json::exception&) {
     throw InputError("event \"" + event.kind + "\" at " + std::to_string(event.t_us) + " us",
                      "its detail is damaged");
   }
   if (!action) return std::nullopt;
-  Input input;
   input.t_us = event.t_us;
   input.uncertainty_us = event.uncertainty_us;
   input.frame_us = event.frame_us;

@@ -80,6 +80,10 @@ const Page& Session::page() const {
   return declined_ ? declined : plan_.pages[page_];
 }
 
+int Session::page_index() const {
+  return asks_language_ || declined_ ? -1 : static_cast<int>(page_);
+}
+
 const TrialState* Session::trial() const { return trial_ ? &*trial_ : nullptr; }
 
 std::int64_t Session::trial_us(std::int64_t t_us) const {
@@ -129,8 +133,10 @@ std::vector<Record> Session::step(const Input& input) {
   return std::move(steps.records);
 }
 
-std::string Session::Steps::json_text(const char* key, const std::string& text) {
-  return nlohmann::json{{key, text}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+std::string Session::Steps::json_text(const char* key, const std::string& text) const {
+  nlohmann::json json{{key, text}};
+  if (!input.request.empty()) json["request"] = input.request;
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 Event& Session::Steps::log(const char* kind) {
@@ -141,6 +147,7 @@ Event& Session::Steps::log(const char* kind) {
   event.frame_us = input.frame_us;
   event.actor = input.actor;
   event.kind = kind;
+  if (!input.request.empty()) event.detail = R"({"request":")" + input.request + R"("})";
   const bool by_participant =
       input.actor == Actor::participant && !std::holds_alternative<LateFrame>(input.action);
   if (session.trial_ && by_participant) {

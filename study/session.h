@@ -73,7 +73,11 @@ struct Stop {
 };  // the window is closed, the experimenter ends it
 struct Note {
   std::string text;
-};                  // of the experimenter; changes nothing
+};                   // of the experimenter; changes nothing
+struct Refused {     // a request of the experimenter's that cannot be done; changes nothing
+  std::string what;  // "skip", ...; empty: it could not be read
+  std::string why;   // "state", "page", "words", "unknown", "late", "panel"; "broken": not read
+};
 struct Release {};  // the experimenter lets the participant go on
 struct Skip {
   std::string reason;
@@ -100,9 +104,10 @@ struct Input {
   std::int64_t frame_us = -1;  // when the frame on screen was shown; -1: none
   Actor actor = Actor::participant;
   double x = 0, y = 0;  // pointer, pixels
+  std::string request;  // the id of what a watcher asked for (study/control.h); empty: nobody did
   std::variant<Tick, Wait, ChooseLanguage, Continue, Decline, Pause, Resume, Press, Done, StartOver,
                Undo, Redo, Control, SetAnswer, Camera, Playback, LateFrame, Stop, Note, Release,
-               Skip, Repeat, Interrupted, Back, Leave, Return>
+               Skip, Repeat, Interrupted, Back, Leave, Return, Refused>
       action;
 };
 
@@ -116,7 +121,8 @@ struct Input {
 // "practice_over" (value: successes; target: why), "interrupted" (value: the gap in
 // seconds, target: the policy) and "return" (value: likewise); of
 // the experimenter also "note", "release", "skip" and "repeat" (target: "trial", "block", or
-// "guess": the trial with the guess that had won it);
+// "guess": the trial with the guess that had won it) and "request_refused" (target: what was
+// asked for), and all of these with {"request": id} in their detail when a watcher asked for it;
 // and what was done to a control under the interface's own word, with
 // {"applied": true or false} in its detail: by this a replay knows them. There are also
 // {"first": true}, the first time that a control was touched in a trial, {"text": ...},
@@ -248,7 +254,7 @@ class Session {
   // Time limits and dwell times that passed before the input come first, stamped
   // with their own time. Records are returned in the order of their times. While it is
   // paused no deadline comes nearer, and of what participants do only Resume and Stop count;
-  // what the experimenter does ends the pause, a note apart.
+  // what the experimenter does ends the pause, a note and a refusal apart.
   std::vector<Record> step(const Input& input);
 
   // Another order, while nothing but the first page has been shown.
@@ -256,6 +262,7 @@ class Session {
 
   const Plan& plan() const { return plan_; }
   const Page& page() const;         // what is on screen
+  int page_index() const;           // into Plan::pages; -1: that is outside the plan
   const TrialState* trial() const;  // null outside trial pages
   // In a trial: that time without its pauses, also while it is paused.
   std::int64_t trial_us(std::int64_t t_us) const;

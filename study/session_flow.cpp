@@ -194,6 +194,12 @@ bool Session::Steps::within_block() const {
 
 void Session::Steps::act(const Note& note) { log("note").detail = json_text("text", note.text); }
 
+void Session::Steps::act(const Refused& refused) {
+  Event& event = log("request_refused");
+  event.target = refused.what;
+  event.detail = json_text("why", refused.why);
+}
+
 void Session::Steps::act(const Release&) {
   if (session.page().kind != PageKind::release) return;
   log("release");

@@ -7,6 +7,7 @@ namespace promenade::study {
 bool Session::Steps::rests() const {
   if (!session.paused()) return false;
   return std::holds_alternative<Note>(input.action) ||
+         std::holds_alternative<Refused>(input.action) ||
          std::holds_alternative<Interrupted>(input.action);
 }
 

@@ -74,6 +74,7 @@ struct Session::Steps {
   void act(const LateFrame& late);
   void act(const Stop& stop);
   void act(const Note& note);
+  void act(const Refused& refused);
   void act(const Release&);
   void act(const Skip& skip);
   void act(const Repeat& what);
@@ -97,7 +98,8 @@ struct Session::Steps {
   void end_gesture();
 
   // An event by the input's actor, or by the system, at the running trial.
-  static std::string json_text(const char* key, const std::string& text);  // {"key": "text"}
+  // {"key": "text"}, and the request that was obeyed.
+  std::string json_text(const char* key, const std::string& text) const;
   Event& log(const char* kind);
   Event& log_system(const char* kind, std::int64_t t_us);
 };

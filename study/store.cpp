@@ -540,6 +540,8 @@ void Store::write_frames(int trial, const FrameHistogram& frames) {
 
 Database& Store::database() { return implementation_->database; }
 
+const std::string& Store::session() const { return implementation_->session; }
+
 void Store::flush() { implementation_->commit(); }
 
 void Store::end_session(const std::string& ended_utc) {

@@ -96,6 +96,7 @@ class Store {
   // How the frames of a trial (an index into Plan::trials; -1: outside) were shown.
   void write_frames(int trial, const FrameHistogram& frames);
   void flush();
+  const std::string& session() const;  // uuid of the one that runs; empty: none has begun
   void end_session(const std::string& ended_utc);
 
   // Where it all is, for whoever reads it in between: the only way to one in ":memory:".

@@ -10,6 +10,7 @@
 #include "motion/files.h"
 #include "study/embedded.h"
 #include "study/migrate.h"
+#include "study/toml_edit.h"
 #include "study/toml_parse.h"
 #include "study/utf8.h"
 
@@ -26,18 +27,10 @@ std::string stamp_of(const fs::path& file) {
                      state.st_mtim.tv_nsec);
 }
 
-const TomlValue* value_at(const TomlValue& table, std::string_view key) {
-  for (const TomlValue::Entry& entry : table.entries) {
-    if (entry.key == key) return &entry.value;
-  }
-  return nullptr;
-}
-
 void read_planned(ShelvedStudy& study) {
   const std::string text = read_file(study.place.file());
   const TomlValue root = parse_toml(study.place.file(), text);
-  const TomlValue* table = value_at(root, "study");
-  const TomlValue* planned = table != nullptr ? value_at(*table, "participants") : nullptr;
+  const TomlValue* planned = value_at(root, {"study", "participants"});
   if (planned == nullptr || planned->kind != TomlValue::Kind::integer) return;
   study.planned = static_cast<int>(std::clamp<std::int64_t>(planned->integer, 0, 1'000'000));
 }
@@ -149,38 +142,19 @@ void make_folder(const fs::path& folder, const std::vector<Piece>& pieces) {
   throw OutsideError("cannot make " + folder.string() + ": " + why);
 }
 
-// Where a place of the text begins, bytes.
-std::size_t offset_of(std::string_view text, Place place) {
-  std::size_t at = 0;
-  for (int line = 1; line < place.line && at != std::string_view::npos; ++line) {
-    at = text.find('\n', at);
-    if (at != std::string_view::npos) ++at;
-  }
-  if (at == std::string_view::npos) return text.size();
-  for (int column = 1; column < place.column; ++column)
-    at += first_character(text.substr(at)).bytes;
-  return std::min(at, text.size());
-}
-
-// As a text of TOML.
-std::string quoted(const std::string& words) {
-  std::string text = "\"";
-  for (const char letter : words) {
-    if (letter == '"' || letter == '\\') text += '\\';
-    text += letter;
-  }
-  return text + "\"";
-}
-
 void name_study(std::vector<Piece>& pieces, const std::string& name) {
   pieces.front().content = with_study_name(std::move(pieces.front().content), name);
 }
 
 }  // namespace
 
+std::string stamp_of_sessions(const StudyPlace& place) {
+  return stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
+}
+
 // The program makes databases and folders there, which are no part of the study.
-std::string stamp_of(const StudyPlace& place) {
-  std::string stamp = stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
+std::string stamp_of_files(const StudyPlace& place) {
+  std::string stamp;
   std::set<std::string> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(place.folder, error)) {
@@ -213,7 +187,7 @@ const std::vector<ShelvedStudy>& StudyShelf::look() {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
     const StudyPlace place{entry.path()};
     if (place.name().starts_with('.') || !fs::is_regular_file(place.file(), error)) continue;
-    const std::string stamp = stamp_of(place);
+    const std::string stamp = stamp_of_files(place) + stamp_of_sessions(place);
     Known& known = known_[place.folder.string()];
     if (known.stamp != stamp) known = {stamp, read_shelved(place)};
     studies_.push_back(known.study);
@@ -276,14 +250,13 @@ StudyPlace StudyShelf::rename(const StudyPlace& place, const std::string& name) 
 }
 
 std::string with_study_name(std::string text, const std::string& name) {
-  const TomlValue root = parse_lines_of_toml("study", text).root;
-  const TomlValue* table = value_at(root, "study");
-  const TomlValue* value = table != nullptr ? value_at(*table, "name") : nullptr;
-  if (value == nullptr || value->kind != TomlValue::Kind::text) return text;
-  const std::size_t begin = offset_of(text, value->place);
-  const std::size_t end = begin < text.size() ? text.find(text[begin], begin + 1) : text.npos;
-  if (end == std::string::npos) return text;
-  return text.replace(begin, end + 1 - begin, quoted(name));
+  const TomlPath path{"study", "name"};
+  if (value_at(parse_lines_of_toml("study", text).root, path) == nullptr) return text;
+  try {
+    return edited_toml("study", text, set_value(path, toml_text(name)));
+  } catch (const InputError&) {
+    return text;  // no TOML yet; whoever mends it can name it, too
+  }
 }
 
 std::vector<std::string> study_templates() {

@@ -24,6 +24,8 @@ struct StudyPlace {
   std::filesystem::path file() const { return folder / "study.toml"; }
   std::filesystem::path sessions() const { return folder / "sessions.db"; }
   std::filesystem::path rehearsal() const { return folder / "rehearsal.db"; }
+  // Of several stations, joined; made of sessions() and theirs.
+  std::filesystem::path merged() const { return folder / "merged.db"; }
   std::filesystem::path roster() const { return folder / "roster.csv"; }
   std::filesystem::path exclusions() const { return folder / "exclusions.csv"; }
   std::filesystem::path report() const { return folder / "report"; }
@@ -33,8 +35,9 @@ struct StudyPlace {
   std::string name() const { return folder.filename().string(); }
 };
 
-// Of its file, the files beside it and its sessions: another stamp, another content.
-std::string stamp_of(const StudyPlace& place);
+// Of the study's file and those beside it, and of its sessions: another stamp, another content.
+std::string stamp_of_files(const StudyPlace& place);
+std::string stamp_of_sessions(const StudyPlace& place);
 
 // draft: nobody has taken part; piloted: pilots only; running: people who count have begun;
 // finished: as many as were planned are done.

@@ -1,6 +1,7 @@
 #include "study/watch.h"
 
 #include <fmt/format.h>
+#include <sqlite3.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -127,7 +128,7 @@ void Watch::forget() {
 
 const Watched& Watch::look(const std::string& now_utc) {
   now_.problem.clear();
-  now_.is_input_error = false;
+  now_.is_input_error = now_.waits = now_.is_locked = false;
   try {
     refresh(now_utc);
   } catch (const InputError& error) {
@@ -135,6 +136,11 @@ const Watched& Watch::look(const std::string& now_utc) {
     const bool waits = is_being_made(file_);
     now_.problem = file_ + (waits ? " is being made" : " " + message_of(error));
     now_.is_input_error = !waits;
+    now_.waits = waits;
+  } catch (const DatabaseError& error) {
+    stamp_ = {};
+    now_.problem = error.what();
+    now_.is_locked = error.code() == SQLITE_BUSY || error.code() == SQLITE_LOCKED;
   } catch (const std::exception& error) {
     stamp_ = {};  // as it was, and once more next time
     now_.problem = error.what();
@@ -153,6 +159,7 @@ void Watch::refresh(const std::string& now_utc) {
     if (before.file == 0) {
       forget();
       stamp_ = {};
+      now_.waits = true;
       now_.problem = file_ + " is not there yet: it is made when the first session begins";
       return;
     }

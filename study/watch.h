@@ -24,6 +24,13 @@ struct WatchedNote {
   std::string text;
 };
 
+// What became of what a watcher asked for (study/control.h).
+struct WatchedAnswer {
+  std::string request;  // its id
+  bool done = false;
+  std::string why;  // not done: as study::Refused has it
+};
+
 // The trial that is on screen.
 struct WatchedTrial {
   int position = 0;  // in the plan, from 1
@@ -50,6 +57,7 @@ struct WatchedSession {
   WatchedState state = WatchedState::running;
   std::string outcome;  // as stored: "running", "finished", ...
   std::string page;     // to_text of its PageKind; empty: none was shown, or it has ended
+  int page_index = -1;  // in the plan, from 0; -1: outside
   std::optional<WatchedTrial> trial;
   int trials_done = 0;                 // that count
   int trials = 0;                      // in the plan; 0: not known
@@ -61,11 +69,14 @@ struct WatchedSession {
   std::int64_t frames = 0;             // in the trials that have ended; 0: none were counted
   int late_frames = 0;                 // of these
   std::vector<WatchedNote> notes;      // of a session that has not ended
+  std::vector<WatchedAnswer> answers;  // since it is watched
 };
 
 struct Watched {
   std::string problem;          // why nothing new can be read, a sentence; empty: all is well
   bool is_input_error = false;  // the problem: the file is no database that can be watched
+  bool waits = false;           // the problem: it is not there yet, or being made
+  bool is_locked = false;       // the problem: another program holds it at this moment
   std::string study, version;   // of the newest version
   int planned = 0;              // participants; 0: not said
   int finished = 0;             // participants, neither pilot nor simulated

@@ -15,11 +15,14 @@ struct LoggedEvent {
   std::int64_t t_us = 0;
   std::string trial, kind, target, detail;
   double value = -1;
+  bool by_experimenter = false;
 };
 
-std::string text_in(const std::string& detail) {
+// What the detail has under this key; empty: no text.
+std::string text_in(const std::string& detail, const char* key) {
   const auto json = nlohmann::json::parse(detail, nullptr, false);
-  return json.is_object() ? json.value("text", "") : "";
+  const auto found = json.is_object() ? json.find(key) : json.end();
+  return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 // study/session_pause.cpp says what stands still, and what goes on.
@@ -43,10 +46,22 @@ void take_page(FollowedSession& session, const LoggedEvent& event) {
   session.trial.runs = false;
 }
 
+void take_answer(FollowedSession& session, const LoggedEvent& event) {
+  if (!event.by_experimenter || event.detail.empty()) return;
+  std::string request = text_in(event.detail, "request");
+  if (request.empty()) return;
+  const bool done = event.kind != "request_refused";
+  session.told.answers.push_back(
+      {std::move(request), done, done ? "" : text_in(event.detail, "why")});
+}
+
 void take(FollowedSession& session, const LoggedEvent& event) {
   session.event_us = event.t_us;
+  take_answer(session, event);
   if (event.kind == "note") {
-    session.told.notes.push_back({event.t_us, text_in(event.detail)});
+    session.told.notes.push_back({event.t_us, text_in(event.detail, "text")});
+  } else if (event.kind == "request_refused") {
+    // Changes nothing, a pause neither.
   } else if (begins_stand(event)) {
     if (!session.stands_since_us) session.stands_since_us = event.t_us;
     session.left |= event.kind == "leave";
@@ -66,13 +81,14 @@ void take(FollowedSession& session, const LoggedEvent& event) {
 
 void read_events(Database& database, FollowedSession& session) {
   Statement row(database,
-                "SELECT seq, trial, t_us, kind, target, value, detail FROM event "
+                "SELECT seq, trial, t_us, kind, target, value, detail, actor FROM event "
                 "WHERE session = ? AND seq > ? ORDER BY seq");
   row.bind(1, session.told.uuid).bind(2, session.seq);
   while (row.step()) {
     session.seq = row.integer(0);
     LoggedEvent event{row.integer(2), row.text(1), row.text(3), row.text(4), row.text(6)};
     event.value = row.real_if_any(5).value_or(-1);
+    event.by_experimenter = row.text_view(7) == "experimenter";
     take(session, event);
   }
 }
@@ -163,6 +179,7 @@ double FollowedTrial::seconds_at(std::int64_t t_us) const {
 void follow(Database& database, FollowedSession& session) {
   const bool ended = session.told.outcome != "running";
   if (ended) {
+    if (session.seq > 0) read_events(database, session);  // the last answers
     read_end(database, session);
     session.settled = session.process == 0;
   } else {
@@ -176,6 +193,7 @@ void follow(Database& database, FollowedSession& session) {
 
 WatchedSession told_of(const FollowedSession& session, const std::string& now_utc) {
   WatchedSession told = session.told;
+  told.page_index = session.place;
   const double alive_s = 1e-6 * static_cast<double>(session.alive_us);
   told.state = state_of(session);
   told.minutes = alive_s / 60;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "motion/did_you_mean.h"
+#include "study/control.h"
 #include "study/identity.h"
 #include "study/migrate.h"
 #include "study/process.h"
@@ -218,10 +219,11 @@ Database open_for_withdrawal(const std::string& file) {
 
 }  // namespace
 
-std::string running_session(Database& database) {
+std::string running_session(Database& database, const std::string& other) {
   Statement row(database,
                 "SELECT uuid, process, coalesce(process_start, '') FROM session WHERE process "
-                "IS NOT NULL");
+                "IS NOT NULL AND uuid <> ?");
+  row.bind(1, other);
   while (row.step()) {
     if (lives(row.integer(1), row.text(2))) return row.text(0);
   }
@@ -285,6 +287,7 @@ Withdrawn withdraw(const std::string& file, const std::string& code) {
   take_out(database, participant_of(database, code), withdrawn);
   transaction.commit();
   scrub(database);
+  remove_requests(file);
   withdrawn.backups = clean_backups(database);
   return withdrawn;
 }
@@ -293,6 +296,7 @@ Withdrawn finish_withdrawals(const std::string& file) {
   Database database = open_for_withdrawal(file);
   refuse_running(database);
   scrub(database);
+  remove_requests(file);
   return {{}, 0, clean_backups(database)};
 }
 

@@ -48,7 +48,7 @@ void scrub(Database& database);
 void mark_backups(Database& database);
 std::vector<ReachedBackup> clean_backups(Database& database);
 
-// A session that a process of this machine has open: its uuid, or "".
-std::string running_session(Database& database);
+// A session that a process of this machine has open, `other` than this: its uuid, or "".
+std::string running_session(Database& database, const std::string& other = "");
 
 }  // namespace promenade::study

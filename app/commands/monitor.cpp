@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/commands.h"
+#include "app/desk/words.h"
 #include "app/monitor_window.h"
 #include "app/monitor_words.h"
 #include "app/print.h"
@@ -59,6 +60,16 @@ Json to_json(const study::WatchedTrial& trial) {
           {"d_over_time", d_over_time(trial.shown)}};
 }
 
+// Nothing is chosen here: English, as all commands print.
+const study::Texts& texts() {
+  static const study::Texts english = desk_texts("en");
+  return english;
+}
+
+std::string doing_of(const study::WatchedSession& session) {
+  return doing_words(texts(), session) + advice_words(texts(), session);
+}
+
 Json to_json(const study::WatchedSession& session) {
   Json notes = Json::array();
   for (const study::WatchedNote& note : session.notes) {
@@ -67,12 +78,12 @@ Json to_json(const study::WatchedSession& session) {
   const bool counted = session.frames > 0;
   return {{"uuid", session.uuid},
           {"participant", session.participant},
-          {"kind", kind_words(session)},
+          {"kind", kind_words(texts(), session)},
           {"station", session.station},
           {"language", session.language},
           {"state", study::to_text(session.state)},
           {"outcome", session.outcome},
-          {"doing", doing_words(session)},
+          {"doing", doing_of(session)},
           {"page", text_or_null(session.page)},
           {"trial", session.trial ? to_json(*session.trial) : Json()},
           {"trials_done", session.trials_done},
@@ -120,16 +131,17 @@ std::string left_words(const study::WatchedSession& session) {
 }
 
 std::string table_of(const study::Watched& now) {
-  std::string table = fmt::format("{}: {}\n", now.study, finished_words(now));
+  std::string table = fmt::format("{}: {}\n", now.study, finished_words(texts(), now));
   if (now.sessions.empty()) return table + "no session runs, and none ended in the last 12 hours\n";
   table += cell("participant", 14) + cell("kind", 9) + cell("station", 8) + cell("D, m", 7) +
            cell("left", 6) + "what they do\n";
   for (const study::WatchedSession& one : now.sessions) {
     const bool ended = one.state == study::WatchedState::ended;
-    std::string doing = doing_words(one);
-    if (one.trial) doing += " (" + trial_words(one) + ")";
-    doing += ended ? ", " + duration_words(one.ended_s) + " ago" : "; " + life_words(one);
-    table += cell(one.participant, 14) + cell(kind_words(one), 9) + cell(one.station, 8) +
+    std::string doing = doing_of(one);
+    if (one.trial) doing += " (" + trial_words(texts(), one) + ")";
+    doing += ended ? ", " + duration_words(texts(), one.ended_s) + " ago"
+                   : "; " + life_words(texts(), one);
+    table += cell(one.participant, 14) + cell(kind_words(texts(), one), 9) + cell(one.station, 8) +
              cell(d_words(one), 7) + cell(left_words(one), 6) + doing + "\n";
   }
   return table;

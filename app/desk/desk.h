@@ -40,6 +40,8 @@ class Desk {
   void go(DeskPlace place);
   void open(const study::StudyPlace& study);
   DeskPlace place() const { return place_; }
+  // That is open here; null: at the places without one.
+  const OpenStudy* study() { return room().study.get(); }
   // Figures walk, or something waits to be shown.
   bool moves() const;
   // A person is taking part at this machine, or frames are measured: leave it the machine.

@@ -21,16 +21,27 @@ void compare_with_sessions(const study::StudyPlace& place, StudyReading& reading
   reading.only_pilots = counts.integer(0) == 0;
 }
 
-std::shared_ptr<const StudyReading> read_place(const study::StudyPlace& place) {
-  auto reading = std::make_shared<StudyReading>();
+void read_study_file(const study::StudyPlace& place, StudyReading& reading) {
   try {
-    reading->bundle =
+    reading.bundle =
         std::make_shared<const study::StudyBundle>(study::load_study(place.file(), interfaces()));
-    reading->problems = reading->bundle->warnings;
+    reading.problems = reading.bundle->warnings;
   } catch (const InputError& error) {
-    reading->problems = error.problems();
+    reading.problems = error.problems();
   } catch (const std::exception& error) {
-    reading->problems = {{.file = place.file(), .message = error.what()}};
+    reading.problems = {{.file = place.file(), .message = error.what()}};
+  }
+}
+
+// `before`: of the same files, when only the sessions are others; null: it is all new.
+std::shared_ptr<const StudyReading> read_place(const study::StudyPlace& place,
+                                               const std::shared_ptr<const StudyReading>& before) {
+  auto reading = std::make_shared<StudyReading>();
+  if (before) {
+    reading->bundle = before->bundle;
+    reading->problems = before->problems;
+  } else {
+    read_study_file(place, *reading);
   }
   try {
     compare_with_sessions(place, *reading);
@@ -51,11 +62,16 @@ void OpenStudy::look(std::int64_t now_us) {
     ++number_;
   }
   if (looked_us_ != INT64_MIN && now_us - looked_us_ < period_us) return;
+  if (work_.working()) return;
   looked_us_ = now_us;
-  std::string stamp = study::stamp_of(place_);
-  if (stamp == stamp_) return;
-  stamp_ = std::move(stamp);
-  work_.start([place = place_](const std::stop_token&) { return read_place(place); });
+  std::string files = study::stamp_of_files(place_);
+  std::string sessions = study::stamp_of_sessions(place_);
+  if (files == files_ && sessions == sessions_) return;
+  const auto before = files == files_ ? reading_ : nullptr;
+  files_ = std::move(files);
+  sessions_ = std::move(sessions);
+  work_.start(
+      [place = place_, before](const std::stop_token&) { return read_place(place, before); });
 }
 
 }  // namespace promenade::app

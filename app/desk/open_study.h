@@ -27,7 +27,7 @@ class OpenStudy {
   explicit OpenStudy(study::StudyPlace place) : place_(std::move(place)) {}
 
   const study::StudyPlace& place() const { return place_; }
-  // Looks at the files twice a second; never waits.
+  // Looks at the files twice a second, and reads what has changed; never waits.
   void look(std::int64_t now_us);
   // As it was read last; null: it is read for the first time.
   const StudyReading* reading() const { return reading_.get(); }
@@ -40,7 +40,7 @@ class OpenStudy {
 
  private:
   study::StudyPlace place_;
-  std::string stamp_;
+  std::string files_, sessions_;  // stamps
   std::int64_t looked_us_ = INT64_MIN;
   std::shared_ptr<const StudyReading> reading_;
   int number_ = 0;

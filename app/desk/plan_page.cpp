@@ -63,13 +63,14 @@ class PlanPage : public DeskPage {
   OpenStudy& study_;
   PlanPower power_;
   NumberDraft people_{12};
-  bool asked_ = false;  // how many the study plans
-  int number_ = -1;  // of the reading that is shown
+  bool asked_ = false;                                // how many the study plans
+  std::shared_ptr<const study::StudyBundle> bundle_;  // that is shown
   std::shared_ptr<const Orders> orders_;
   Background<std::shared_ptr<const Orders>> work_;
   std::optional<study::SessionLength> length_;
   Background<study::SessionLength> timing_;
   std::vector<std::string> shown_;
+  float high_ = 0;  // of the right side, pixels, as it was drawn last
   std::int64_t now_us_ = 0;
 };
 
@@ -93,8 +94,8 @@ void PlanPage::begin() {
 
 void PlanPage::advance(std::int64_t now_us) {
   now_us_ = now_us;
-  if (study_.number() != number_) {
-    number_ = study_.number();
+  if (study_.bundle() != bundle_) {
+    bundle_ = study_.bundle();
     orders_.reset();
     length_.reset();
     begin();
@@ -128,10 +129,11 @@ void PlanPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
   const Box left{inner.x, inner.y, panel.x - inner.x - ui.layout.size(16), inner.height};
   fill(panel, ui.look.palette.panel);
   if (orders_) draw_orders(ui, words, left);
-  scrolled("plan", panel, ui.layout.size(power_.height() + 620), [&](const Box& all) {
+  scrolled("plan", panel, high_, [&](const Box& all) {
     Column column(ui, inside(ui, all, 20));
     draw_people(ui, words, column);
     power_.draw(ui, words, column, people_.value);
+    high_ = column.left().y - all.y + ui.layout.size(20);
   });
 }
 

@@ -31,7 +31,6 @@ class PlanPower {
   PlanPower(DeskServices& services, OpenStudy& study) : services_(services), study_(study) {}
   // "press" "power".
   void draw(const Ui& ui, const study::Texts& words, Column& column, int people);
-  float height() const { return 28.0f * static_cast<float>(table_.rows.size()); }  // at 1280 x 720
 
  private:
   void start(const study::Texts& words, int people);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "app/desk/words.h"
 #include "app/monitor_words.h"
 #include "study/plan.h"
+#include "study/session.h"
 
 namespace promenade::app {
 namespace {
@@ -126,40 +128,73 @@ TEST_F(MonitorWindow, ShowsWhatIsWrongAndAnEmptyDatabase) {
   show(with({}));
 }
 
+const study::Texts& english() {
+  static const study::Texts texts = desk_texts("en");
+  return texts;
+}
+
 TEST(MonitorWords, SayWhatSomebodyDoes) {
   WatchedSession one = in_trial("P01");
-  EXPECT_EQ(doing_words(one), "trial 7 of 24");
-  EXPECT_EQ(trial_words(one), "copy with map, to proud");
+  EXPECT_EQ(doing_words(english(), one), "trial 7 of 24");
+  EXPECT_EQ(trial_words(english(), one), "copy with map, to proud");
   one.trial->practice = true;
   one.trial->attempt = 2;
-  EXPECT_EQ(doing_words(one), "trial 7 of 24, practice, attempt 2");
+  EXPECT_EQ(doing_words(english(), one), "trial 7 of 24, practice, attempt 2");
   one.state = WatchedState::paused;
   one.trial.reset();
   one.page = "instructions";
-  EXPECT_EQ(doing_words(one), "paused: reads the instructions");
+  EXPECT_EQ(doing_words(english(), one), "paused: reads the instructions");
   one.state = WatchedState::interrupted;
   one.silent_s = 40;
-  EXPECT_EQ(doing_words(one), "interrupted 40 s ago: start the program again to resume");
+  EXPECT_EQ(doing_words(english(), one), "interrupted 40 s ago");
+  EXPECT_EQ(advice_words(english(), one), ": start the program again to resume");
 }
 
 TEST(MonitorWords, KnowEveryPage) {
   for (int kind = 0; kind <= static_cast<int>(study::PageKind::declined); ++kind) {
     WatchedSession one = session("P01");
     one.page = to_text(static_cast<study::PageKind>(kind));
-    if (one.page == "trial") continue;
-    EXPECT_EQ(doing_words(one).find("is at the page"), std::string::npos) << one.page;
+    for (const std::string& language : desk_languages()) {
+      const study::Texts texts = desk_texts(language);
+      EXPECT_NE(texts.find("watch.at_" + one.page), nullptr) << one.page;
+      EXPECT_EQ(doing_words(texts, one), texts("watch.at_" + one.page));
+    }
   }
 }
 
+TEST(MonitorWords, KnowEveryEnd) {
+  for (const auto outcome : {study::Outcome::finished, study::Outcome::declined,
+                             study::Outcome::withdrawn, study::Outcome::stopped}) {
+    for (const std::string& language : desk_languages()) {
+      const std::string key = "watch.outcome_" + std::string(to_text(outcome));
+      EXPECT_NE(desk_texts(language).find(key), nullptr) << key;
+    }
+  }
+}
+
+TEST(MonitorWords, SayWhyNothingCanBeSeen) {
+  Watched now;
+  EXPECT_EQ(problem_words(english(), now), "");
+  now.problem = "x.db: is not a database";
+  now.is_input_error = true;
+  EXPECT_EQ(problem_words(english(), now).find("This file cannot be watched: x.db: is not a"), 0U);
+  now.is_input_error = false;
+  now.is_locked = true;
+  EXPECT_NE(problem_words(english(), now).find("Another program"), std::string::npos);
+  now.is_locked = false;
+  now.waits = true;
+  EXPECT_EQ(problem_words(english(), now).find("x.db"), std::string::npos);
+}
+
 TEST(MonitorWords, SayHowLongAndHowMany) {
-  EXPECT_EQ(duration_words(99.9), "99 s");
-  EXPECT_EQ(duration_words(100), "1 min");
-  EXPECT_EQ(duration_words(7200), "2 h");
-  EXPECT_EQ(time_words(session("P01")), "22 min played, about 14 left");
-  EXPECT_EQ(finished_words(with({})), "12 of 24 participants have finished");
+  EXPECT_EQ(duration_words(english(), 99.9), "99 s");
+  EXPECT_EQ(duration_words(english(), 100), "1 min");
+  EXPECT_EQ(duration_words(english(), 7200), "2 h");
+  EXPECT_EQ(time_words(english(), session("P01")), "22 min played, about 14 left");
+  EXPECT_EQ(finished_words(english(), with({})), "12 of 24 participants have finished");
   WatchedSession silent = session("P01");
   silent.silent_s = 6;
-  EXPECT_EQ(life_words(silent), "no sign of life for 6 s");
+  EXPECT_EQ(life_words(english(), silent), "no sign of life for 6 s");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include "study/identity.h"
+
 namespace promenade::app::bench {
 namespace {
 
@@ -36,7 +38,7 @@ SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
                            language.empty()),
             store_, header_of(language), now_us_),
       view_((gui_.fit(1280, 720), bundle_), interfaces(), gui_, live_, queue_,
-            {language, "", false, true, {}, roster}),
+            {language, "", false, true, {}, roster, &requests_}),
       autopilot_(study::SimulatedParticipant(bundle_, interfaces(), seed), "S001") {
   unsigned char* pixels = nullptr;
   int width = 0;
@@ -45,7 +47,8 @@ SessionBench::SessionBench(const std::string& language, std::uint64_t seed,
 }
 
 SessionBench::~SessionBench() {
-  for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file_.string() + end);
+  for (const char* end : {"", "-wal", "-shm", ".control"})
+    std::filesystem::remove(file_.string() + end);
 }
 
 void SessionBench::walk() {
@@ -56,6 +59,7 @@ void SessionBench::walk() {
 void SessionBench::frame() {
   constexpr std::int64_t frame_us = 16'667;
   now_us_ += frame_us;
+  gui_.use();  // a test may have another one
   view_.frame(now_us_);
   view_.shown({.shown_us = now_us_ + 8000, .interval_us = frame_us, .work_us = 8000});
 }
@@ -134,6 +138,16 @@ void SessionBench::click_fast(int times) {
 void SessionBench::show_late() {
   now_us_ += 100'000;
   view_.shown({.shown_us = now_us_, .interval_us = 100'000, .work_us = 99'000, .late_us = 83'333});
+}
+
+study::Request SessionBench::ask(study::Request request) {
+  if (request.id.empty()) request.id = study::random_uuid();
+  request.session = store_.session();
+  request.written_utc = study::utc_now();
+  study::ask(file_.string(), request);
+  constexpr int frames = 15;  // a quarter of a second
+  for (int k = 0; k < frames; ++k) frame();
+  return request;
 }
 
 void SessionBench::wheel(double notches) {

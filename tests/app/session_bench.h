@@ -42,6 +42,8 @@ class SessionBench {
   void wheel(double notches);
   void click_fast(int times);  // on the stage, all before the next frame
   void show_late();            // a frame that took a tenth of a second
+  // A watcher asks for it and waits until it was read; returns the request as it was written.
+  study::Request ask(study::Request request);
   void close_window() { view_.ask_to_close(now_us_); }
 
  private:
@@ -49,6 +51,7 @@ class SessionBench {
   std::filesystem::path file_;
   study::StudyBundle bundle_;
   study::Store store_;
+  study::RequestReader requests_{file_.string()};
   Gui gui_;
   InputQueue queue_;
   LiveSession live_;

@@ -17,8 +17,22 @@ struct Player {
 
   std::vector<Record> at(std::int64_t t_us, decltype(Input::action) action) {
     Input input;
-    input.t_us = t_us;
     input.action = std::move(action);
+    return step(t_us, std::move(input));
+  }
+
+  // As the experimenter, whom a watcher asked.
+  std::vector<Record> obey(std::int64_t t_us, const std::string& request,
+                           decltype(Input::action) action) {
+    Input input;
+    input.actor = Actor::experimenter;
+    input.request = request;
+    input.action = std::move(action);
+    return step(t_us, std::move(input));
+  }
+
+  std::vector<Record> step(std::int64_t t_us, Input input) {
+    input.t_us = t_us;
     std::vector<Record> made = session.step(input);
     records.insert(records.end(), made.begin(), made.end());
     return made;

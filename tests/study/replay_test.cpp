@@ -99,6 +99,36 @@ TEST_F(ReplayTest, LeadsBackToTheVeryStateOfAnInterruptedSession) {
   EXPECT_EQ(log.last_us, 2000);
 }
 
+TEST_F(ReplayTest, ReproducesWhatAWatcherAskedFor) {
+  toy::Player player(bundle_);
+  player.to_trial(0);
+  player.obey(1000, "a", Pause{});
+  player.obey(2000, "b", Refused{"pause", "state"});
+  player.obey(3000, "c", Resume{});
+  player.obey(4000, "d", Note{"a \"note\""});
+  player.obey(5000, "e", Repeat{false, "the phone rang"});
+  player.to_trial(6000);
+  player.obey(7000, "f", Skip{"again"});
+  Store store(file(), bundle_);
+  SessionHeader header;
+  header.participant = "P1";
+  store.begin_session(header, player.session.plan());
+  store.write(player.records);
+  store.flush();
+  EXPECT_TRUE(audit_all().differences.empty());
+  Database database(file(), Database::Mode::read_only);
+  std::vector<Event> again;
+  replay(bundle_, toy::registry(), read_session(database, session_uuids(database).at(0)),
+         [&again](const Session&, const std::vector<Record>& records) {
+           for (const Record& record : records) {
+             if (const auto* event = std::get_if<Event>(&record)) again.push_back(*event);
+           }
+         });
+  const std::vector<Event> played = player.all<Event>();
+  ASSERT_EQ(again.size(), played.size());
+  for (std::size_t i = 0; i < played.size(); ++i) EXPECT_EQ(again[i].detail, played[i].detail);
+}
+
 TEST_F(ReplayTest, NeedsNothingBesideTheDatabase) {
   simulate(1);
   Database database(file(), Database::Mode::read_only);

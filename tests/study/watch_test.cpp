@@ -31,6 +31,10 @@ class WatchTest : public FolderTest {
     store_->write(player_->at(1'000'000 * seconds, std::move(action)));
     store_->flush();
   }
+  void obey(std::int64_t seconds, const std::string& request, decltype(Input::action) action) {
+    store_->write(player_->obey(1'000'000 * seconds, request, std::move(action)));
+    store_->flush();
+  }
   // Second by second to the first trial whose D is measured; returns when it began.
   int to_trial() {
     int seconds = 0;
@@ -57,6 +61,7 @@ class WatchTest : public FolderTest {
 
 TEST_F(WatchTest, WaitsForAFileThatIsNotThereYet) {
   EXPECT_NE(watch_.look(after(0)).problem.find("is not there yet"), std::string::npos);
+  EXPECT_TRUE(watch_.look(after(0)).waits);
   begin();
   at(1, Continue{});
   EXPECT_EQ(watch_.look(after(1)).problem, "");
@@ -148,6 +153,24 @@ TEST_F(WatchTest, TellsNotesAndLateFrames) {
   EXPECT_EQ(session.trial->late_frames, 1);
 }
 
+TEST_F(WatchTest, TellsWhatBecameOfRequests) {
+  begin();
+  const int began = to_trial();
+  obey(began + 1, "a", Pause{});
+  obey(began + 2, "b", Refused{"skip", "page"});
+  const WatchedSession session = look(began + 2);
+  EXPECT_EQ(session.state, WatchedState::paused) << "a refusal ends no pause";
+  EXPECT_EQ(session.page_index, player_->session.page_index());
+  ASSERT_EQ(session.answers.size(), 2U);
+  EXPECT_TRUE(session.answers[0].done && session.answers[0].request == "a");
+  EXPECT_FALSE(session.answers[1].done);
+  EXPECT_EQ(session.answers[1].request, "b");
+  EXPECT_EQ(session.answers[1].why, "page");
+  obey(began + 3, "c", Stop{"unwell"});
+  store_->end_session(after(began + 3));
+  EXPECT_EQ(look(began + 4).answers.size(), 3U) << "the last one, too";
+}
+
 TEST_F(WatchTest, SeesThatTheProgramDied) {
   begin();
   const int began = to_trial();
@@ -223,12 +246,24 @@ TEST_F(WatchTest, ForgetsAFileThatWentAwayOrWasReplaced) {
   EXPECT_NE(watch_.look(after(2)).problem, "");
 }
 
+TEST_F(WatchTest, SaysThatAnotherProgramHoldsTheFile) {
+  toy::make_station(file(), {"P01"});
+  Database holder(file(), Database::Mode::read_write);
+  holder.exec("PRAGMA journal_mode = DELETE; BEGIN EXCLUSIVE");
+  const Watched& now = watch_.look(after(0));
+  EXPECT_TRUE(now.is_locked) << now.problem;
+  EXPECT_NE(now.problem, "");
+  holder.exec("COMMIT");
+  EXPECT_EQ(watch_.look(after(1)).problem, "");
+}
+
 TEST_F(WatchTest, SaysWhatIsWrongWithTheFile) {
   std::ofstream(file()) << "no database at all, but text that is long enough to be looked at\n";
   EXPECT_NE(watch_.look(after(0)).problem.find("is not a database"), std::string::npos);
   EXPECT_TRUE(watch_.look(after(0)).is_input_error);
   std::filesystem::remove(file());
   begin();
+  EXPECT_FALSE(watch_.look(after(0)).is_locked);
   execute("PRAGMA user_version = 99");
   store_->flush();
   EXPECT_NE(watch_.look(after(0)).problem.find("newer Promenade"), std::string::npos);
