@@ -80,7 +80,7 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::results:
       return make_results_page(services_, *room().study);
     case DeskPlace::takes:
-      return std::make_unique<TakesPage>(setting_.studies);
+      return make_takes_page(services_);
     case DeskPlace::edit:
       return std::make_unique<EditPage>(study_->file());
     case DeskPlace::watch:
