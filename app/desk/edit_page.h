@@ -28,6 +28,8 @@ class EditPage : public DeskPage {
   void draw_figures(FigureRenderer& renderer, const Gui& gui) override;
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
   bool moves() const override;
+  bool unsaved() const override { return draft_ && !draft_->saved(); }
+  void save() override;
   const std::vector<std::string>& shown_words() const override { return shown_; }
 
   // Null: the file cannot be read.
@@ -53,7 +55,6 @@ class EditPage : public DeskPage {
   void draw_trouble(const Ui& ui, const study::Texts& words, const Box& room);
   void hear_keys();
   void go_back(bool again);
-  void save();
   std::string state_key() const;
   const std::vector<PlacedProblem>& problems() const;
 
