@@ -62,6 +62,7 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
   const float height = ui.layout.size(136);
   const int rows = (count + columns - 1) / columns;
   const std::vector<int>& by_name = figures.captions(pass.words("edit.language")).by_name;
+  go_by_key(ui, figures, by_name, columns);
   scrolled("walks", view, static_cast<float>(rows) * height, [&](const Box& inner) {
     for (int k = 0; k < count; ++k) {
       const Box tile{inner.x + static_cast<float>(k % columns) * width,
@@ -70,6 +71,26 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
     }
   });
   draw_foot(pass, {box.x, view.bottom(), box.width, foot});
+}
+
+void EditWalks::go_by_key(const Ui& ui, const EditFigures& figures, const std::vector<int>& order,
+                          int columns) {
+  const auto target = [&](int k) {
+    const auto walk = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
+    return "walk/" + figures.bundle().space.set.cycles[walk].name;
+  };
+  int by = 0;
+  if (key_pressed(ImGuiKey_RightArrow)) by = 1;
+  if (key_pressed(ImGuiKey_LeftArrow)) by = -1;
+  if (key_pressed(ImGuiKey_DownArrow)) by = columns;
+  if (key_pressed(ImGuiKey_UpArrow)) by = -columns;
+  if (by == 0 || !ui.focus.on_first("press", "walk/")) return;
+  const int count = static_cast<int>(order.size());
+  for (int k = 0; k < count; ++k) {
+    if (!ui.focus.on("press", target(k))) continue;
+    if (k + by >= 0 && k + by < count) ui.focus.write_in("press", target(k + by));
+    return;
+  }
 }
 
 void EditWalks::draw_tile(const FormPass& pass, const Box& tile, const Box& view, int walk,
