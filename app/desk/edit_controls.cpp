@@ -118,84 +118,58 @@ std::pair<std::string, std::string> EditControls::stop_of(const FormPass& pass,
 }
 
 void EditControls::leave() {
-  for (auto& [target, written] : boxes_) written.active = written.draft.active = false;
+  for (auto& [target, field] : boxes_) field.hide();
 }
 
 bool EditControls::is_refused(const study::TomlPath& path) const {
   const auto found = boxes_.find(study::to_text(path));
-  return found != boxes_.end() && found->second.refused;
+  return found != boxes_.end() && found->second.refused();
 }
 
-// What the file says now, unless it is what was just written here.
-void EditControls::follow(const FormPass& pass, const Line& line, Written& written) {
-  const bool left = written.active && !written.draft.active;
-  written.active = written.draft.active;
-  if (left) pass.scene.draft.end_gesture();
-  const bool tidy =
-      !written.draft.active && !written.refused && written.draft.text.words() != line.shown;
-  if (!written.fresh && written.shown == line.shown && !tidy) return;
-  written.fresh = written.refused = false;
-  written.shown = line.shown;
-  written.draft.text.set(line.shown);
-  if (!written.draft.active) return;
-  // Undo, or a file that was read again, in the middle of writing.
-  ++written.generation;
-  written.draft.active = written.active = false;
-  pass.ui.focus.write_in("type", line.target);
+bool EditControls::write(const FormPass& pass, const Box& box, const WrittenField::Look& look) {
+  WrittenField& field = boxes_[look.target];
+  const bool changed = field.draw(pass.ui, box, look, pass.scene.now_us);
+  if (field.left()) pass.scene.draft.end_gesture();
+  return changed;
 }
 
-bool EditControls::write(const FormPass& pass, const Box& box, const Line& line,
-                         std::string& text) {
-  constexpr int longest_line = 400;
-  constexpr int longest_page = 8000;
-  Written& written = boxes_[line.target];
-  follow(pass, line, written);
-  ImGui::PushID(written.generation);
-  text_box(pass.ui, line.target, box, written.draft,
-           {.most = (line.several ? longest_page : longest_line) +
-                    static_cast<int>(written.shown.size()),
-            .several = line.several,
-            .hint = line.hint.c_str()},
-           pass.scene.now_us);
-  ImGui::PopID();
-  if (written.refused) frame(box, pass.ui.look.palette.alarm, pass.ui.layout.size(2));
-  if (!written.draft.changed) return false;
-  text = written.draft.text.words();
-  return true;
+template <typename Shown>
+void EditControls::take(const FormPass& pass, const std::string& target,
+                        const std::optional<Edits>& edits, const Shown& shown) {
+  if (edits && pass.scene.draft.change(*edits, target)) {
+    boxes_[target].accept(shown());
+  } else {
+    boxes_[target].refuse();
+  }
 }
 
-void EditControls::change(const FormPass& pass, const std::string& target,
-                          const std::optional<Edits>& edits, bool typed) {
-  if (!typed && edits && !edits->empty()) pass.scene.draft.end_gesture();
-  const bool done = edits && pass.scene.draft.change(*edits, typed ? target : "");
-  if (typed) boxes_[target].refused = !done;
+void EditControls::change(const FormPass& pass, const std::optional<Edits>& edits) {
+  if (edits && !edits->empty()) pass.scene.draft.change(*edits);
 }
 
 void EditControls::draw_text(const FormPass& pass, const FormRow& row, const Box& box) {
   const std::string target = study::to_text(row.path);
   const std::string hint = row.field.needed ? "" : left_out(pass, row);
-  std::string text;
-  if (!write(pass, box, {target, shown_text(pass.root(), row.path, row.field), hint}, text)) return;
-  change(pass, target, edits_of_text(pass.root(), row.path, row.field, text), true);
-  boxes_[target].shown = shown_text(pass.root(), row.path, row.field);
+  const auto shown = [&] { return shown_text(pass.root(), row.path, row.field); };
+  if (!write(pass, box, {target, shown(), hint})) return;
+  take(pass, target, edits_of_text(pass.root(), row.path, row.field, boxes_[target].words()),
+       shown);
 }
 
 void EditControls::draw_words(const FormPass& pass, const FormRow& row, const Box& box) {
-  const bool several = row.field.kind == FieldKind::page;
+  const bool spoken = row.field.kind == FieldKind::spoken;
   const float high = pass.ui.layout.size(words_height(row.field));
   const float name = pass.ui.layout.size(28);
+  const std::string hint = row.field.needed ? "" : left_out(pass, row);
   Box line{box.x + name, box.y, box.width - name, high};
   for (const std::string& language : pass.languages()) {
     const std::string target = study::to_text(row.path) + "/" + language;
     app::draw_text(pass.ui.look.fonts.text, {box.x, line.y, name, pass.ui.layout.size(line_height)},
                    pass.ui.look.palette.quiet, language);
-    const std::string hint = row.field.needed ? "" : left_out(pass, row);
-    std::string text;
-    if (write(pass, line,
-              {target, app::shown_words(pass.root(), row.path, language), hint, several}, text)) {
-      const bool spoken = row.field.kind == FieldKind::spoken;
-      change(pass, target, edits_of_words(pass.root(), row.path, spoken, language, text), true);
-      boxes_[target].shown = app::shown_words(pass.root(), row.path, language);
+    const auto shown = [&] { return app::shown_words(pass.root(), row.path, language); };
+    if (write(pass, line, {target, shown(), hint, row.field.kind == FieldKind::page})) {
+      take(pass, target,
+           edits_of_words(pass.root(), row.path, spoken, language, boxes_[target].words()), shown);
     }
     line.y += high + pass.ui.layout.size(gap);
   }
@@ -216,7 +190,7 @@ void EditControls::draw_choice(const FormPass& pass, const FormRow& row, const B
   if (const auto picked = drop_down(pass.ui, target, line, labels, chosen)) {
     const std::string word =
         optional ? (*picked == 0 ? "" : options[*picked - 1]) : options[*picked];
-    change(pass, target, edits_of_text(pass.root(), row.path, row.field, word), false);
+    change(pass, edits_of_text(pass.root(), row.path, row.field, word));
   }
   if (!takes_files(row.field)) return;
   FormRow text = row;
@@ -231,7 +205,7 @@ void EditControls::draw_flag(const FormPass& pass, const FormRow& row, const Box
   const std::string label = now.empty() ? left_out(pass, row) : pass.words("edit." + value);
   if (!check_box(pass.ui, target, box, label, value == "true")) return;
   const std::string other = value == "true" ? "false" : "true";
-  change(pass, target, edits_of_text(pass.root(), row.path, row.field, other), false);
+  change(pass, edits_of_text(pass.root(), row.path, row.field, other));
 }
 
 void EditControls::draw_some(const FormPass& pass, const FormRow& row, const Box& box) {
@@ -248,7 +222,7 @@ void EditControls::draw_some(const FormPass& pass, const FormRow& row, const Box
     const bool on = std::find(now.begin(), now.end(), options[i]) != now.end();
     const std::string target = study::to_text(row.path) + "/" + options[i];
     if (check_box(pass.ui, target, one, options[i], on)) {
-      change(pass, target, edits_of_some(pass.root(), row.path, standard, options[i]), false);
+      change(pass, edits_of_some(pass.root(), row.path, standard, options[i]));
     }
   }
 }
@@ -267,7 +241,7 @@ void EditControls::draw_source(const FormPass& pass, const FormRow& row, const B
     return names.empty() ? std::string() : names.front();
   };
   const auto value = new_target(sources[*picked], first("@walks"), first("@stimuli"));
-  change(pass, target, Edits{study::set_value(row.path, value)}, false);
+  change(pass, Edits{study::set_value(row.path, value)});
 }
 
 }  // namespace promenade::app

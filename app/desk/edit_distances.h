@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/target_report.h"
 #include "app/desk/background.h"
 #include "app/desk/edit_controls.h"
+#include "app/target_reports.h"
 
 namespace promenade::app {
 

@@ -94,6 +94,7 @@ void EditFileView::find_focus(const study::StudyDraft& draft, const study::TomlP
   focused_ = focused;
   if (focused.empty() || !span) return;
   first_ = study::line_at(draft.text(), span->begin);
+  if (moved_) chosen_ = first_;
   last_ = path == focused ? study::line_at(draft.text(), std::max(span->end, span->begin + 1) - 1)
                           : first_;
 }
@@ -131,14 +132,15 @@ void EditFileView::draw_row(const Ui& ui, const std::string& text, const Row& ro
   draw_text(ui.look.fonts.text, place, palette.quiet, remark);
 }
 
-void EditFileView::scroll_by_key(const Ui& ui, float view_height) const {
+void EditFileView::choose_by_key(const Ui& ui, float view_height) {
   if (!ui.focus.on("press", "file")) return;
-  float by = 0;
-  if (key_pressed(ImGuiKey_DownArrow)) by = step_of(ui);
-  if (key_pressed(ImGuiKey_UpArrow)) by = -step_of(ui);
-  if (key_pressed(ImGuiKey_PageDown)) by = 0.8f * view_height;
-  if (key_pressed(ImGuiKey_PageUp)) by = -0.8f * view_height;
-  if (by != 0) ImGui::SetScrollY(ImGui::GetScrollY() + by);
+  const int page = std::max(1, static_cast<int>(0.8f * view_height / step_of(ui)));
+  int by = 0;
+  if (key_pressed(ImGuiKey_DownArrow)) by = 1;
+  if (key_pressed(ImGuiKey_UpArrow)) by = -1;
+  if (key_pressed(ImGuiKey_PageDown)) by = page;
+  if (key_pressed(ImGuiKey_PageUp)) by = -page;
+  if (by != 0) show(std::clamp(chosen_ + by, 1, std::max(1, lines_)));
 }
 
 std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study::StudyDraft& draft,
@@ -152,8 +154,8 @@ std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study:
   std::optional<int> pressed;
   const float step = step_of(ui);
   scrolled("file", box, static_cast<float>(rows_.size()) * step, [&](const Box& inner) {
+    choose_by_key(ui, box.height);
     bring_into_sight(ui, box.height);
-    scroll_by_key(ui, box.height);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Row& row = rows_[i];
       const Box line{inner.x, inner.y + static_cast<float>(i) * step, inner.width, step};
@@ -166,12 +168,16 @@ std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study:
         fill({line.x, line.y, ui.layout.size(6), line.height}, mark);
       }
       draw_row(ui, draft.text(), row, line);
+      if (row.line == chosen_ && !row.goes_on) {
+        fill({line.x + ui.layout.size(number_width - 6), line.y, ui.layout.size(2), line.height},
+             palette.created);
+      }
     }
     const Box all{inner.x, inner.y, inner.width, std::max(inner.height, 1.0f)};
     if (pressed_area(ui, "press", "file", all) && ImGui::IsMouseDown(0)) {
       const float at = (ImGui::GetIO().MousePos.y - inner.y) / step;
       const auto row = std::min(static_cast<std::size_t>(std::max(at, 0.0f)), rows_.size() - 1);
-      if (!rows_.empty()) pressed = rows_[row].line;
+      if (!rows_.empty()) pressed = chosen_ = rows_[row].line;
     }
   });
   return pressed;

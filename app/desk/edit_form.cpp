@@ -188,7 +188,7 @@ void EditForm::note(const FormPass& pass, const FormRow& row, const Box& box) {
                        box.holds(mouse.x, mouse.y);
   if (focused) {
     focused_ = row.path;
-    if (!add) fill(box, pass.ui.look.palette.known);
+    if (!add && !item) fill(box, pass.ui.look.palette.known);
   }
   if ((!hovered && !focused) || help_hovered_) return;
   help_ = help_of(pass, row.field);

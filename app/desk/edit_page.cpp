@@ -241,14 +241,17 @@ void EditPage::draw_file(const FormPass& pass, const Box& box) {
   const Ui& ui = pass.ui;
   const float list = ui.layout.size(problems().empty() ? 28 : 160);
   const float between = ui.layout.size(8);
-  const Box view{box.x, box.y, box.width, box.height - list - between};
+  const float high = ui.layout.size(36);
+  const Box view{box.x, box.y, box.width, box.height - list - high - 2 * between};
   if (const auto line = file_view_.draw(ui, view, *draft_, problems(), form_.focused())) {
     const std::size_t begin = study::byte_at(draft_->text(), {*line, 1});
     const std::size_t at = draft_->text().find_first_not_of(" \t", begin);
     const study::TomlPath path = study::path_at(draft_->spans(), at);
     if (!path.empty()) form_.go_to(path);
   }
-  const Box below{box.x, view.bottom() + between, box.width, list};
+  const Box line_box{box.x, view.bottom() + between, box.width, high};
+  line_.draw(pass, line_box, file_view_.chosen());
+  const Box below{box.x, line_box.bottom() + between, box.width, list};
   const auto pressed = draw_problem_list(ui, pass.words, below, problems(), checker_->working());
   if (pressed && problems()[*pressed].line > 0) form_.go_to(problems()[*pressed].path);
 }

@@ -10,6 +10,7 @@
 #include "app/desk/edit_distances.h"
 #include "app/desk/edit_file_view.h"
 #include "app/desk/edit_form.h"
+#include "app/desk/edit_line.h"
 #include "app/desk/edit_preview.h"
 #include "app/desk/edit_walks.h"
 #include "app/desk/page.h"
@@ -35,6 +36,7 @@ class EditPage : public DeskPage {
   const study::StudyDraft* draft() const { return draft_ ? &*draft_ : nullptr; }
   const std::shared_ptr<const StudyCheck>& check() const { return check_; }  // null: none yet
   const EditForm& form() const { return form_; }
+  int line() const { return file_view_.chosen(); }  // of the file, that can be written in
   const StudyChecker& checker() const { return *checker_; }
   const EditWalks& walks() const { return walks_; }
   const EditPreview& preview() const { return preview_; }
@@ -61,6 +63,7 @@ class EditPage : public DeskPage {
   EditOptions options_;
   EditForm form_;
   EditFileView file_view_;
+  EditLine line_;
   EditFigures figures_;
   EditWalks walks_;
   EditPreview preview_;
