@@ -18,8 +18,8 @@ class Display:
             ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
-        self.name = ":" + os.read(read, 20).decode().strip()
-        os.close(read)
+        with open(read) as number:  # to its end: the server dies of a pipe that was closed early
+            self.name = ":" + number.readline().strip()
 
     def close(self):
         self.server.terminate()
@@ -93,6 +93,17 @@ class Desk:
         time.sleep(0.1)
         self.tool("click", "1")
         time.sleep(0.3)
+
+    def scroll_to(self, kind, target, over):
+        """Turns the wheel over another control until this one is in sight."""
+        x, y, width, height = self.wait(lambda: self.find(*over))
+        self.tool("mousemove", str(int(x + width / 2)), str(int(y + height / 2)))
+
+        def turned():
+            self.tool("click", "5")
+            time.sleep(0.15)
+            return self.find(kind, target)
+        self.wait(turned)
 
     def press(self, target, seconds=20):
         self.click("press", target, seconds)
