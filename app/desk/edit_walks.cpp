@@ -59,8 +59,10 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
   const int count = figures.bundle().space.set.size();
   const int columns = std::max(1, static_cast<int>((view.width - bar) / ui.layout.size(108)));
   const float width = std::floor((view.width - bar) / static_cast<float>(columns));
-  const float height = ui.layout.size(136);
   const int rows = (count + columns - 1) / columns;
+  // A few are larger.
+  const float height = std::floor(
+      std::clamp(view.height / static_cast<float>(rows), ui.layout.size(136), 1.7f * width));
   const std::vector<int>& by_name = figures.captions(pass.words("edit.language")).by_name;
   go_by_key(ui, figures, by_name, columns);
   scrolled("walks", view, static_cast<float>(rows) * height, [&](const Box& inner) {
