@@ -140,12 +140,18 @@ void EditWalks::draw_foot(const FormPass& pass, const Box& box) {
   const Box words{box.x, y, box.width - press - list - 2 * gap, high};
   if (chosen_.empty() || tasks.empty()) {
     draw_line(ui.look.fonts.text, {box.x, y, box.width, high}, ui.look.palette.quiet,
-              pass.words(tasks.empty() ? "edit.no_task" : "edit.choose_walk"));
+              tasks.empty()      ? pass.words("edit.no_task")
+              : hovered_.empty() ? pass.words("edit.choose_walk")
+                                 : hovered_);
     return;
   }
-  const bool other = !hovered_.empty() && hovered_ != chosen_;
-  draw_line(other ? ui.look.fonts.text : ui.look.fonts.bold, words,
-            other ? ui.look.palette.quiet : ui.look.palette.text, other ? hovered_ : chosen_);
+  draw_line(ui.look.fonts.bold, words, ui.look.palette.text, chosen_);
+  const float said =
+      std::min(text_width(ui.look.fonts.bold, chosen_), words.width) + ui.layout.size(16);
+  if (hovered_ != chosen_) {
+    draw_line(ui.look.fonts.text, {words.x + said, y, words.width - said, high},
+              ui.look.palette.quiet, hovered_);
+  }
   std::vector<std::string> names;
   for (const TargetTask& task : tasks) names.push_back(task.name);
   task_ = std::min(task_, tasks.size() - 1);
