@@ -67,8 +67,10 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
   go_by_key(ui, figures, by_name, columns);
   scrolled("walks", view, static_cast<float>(rows) * height, [&](const Box& inner) {
     for (int k = 0; k < count; ++k) {
-      const Box tile{inner.x + static_cast<float>(k % columns) * width,
-                     inner.y + static_cast<float>(k / columns) * height, width, height};
+      const int column = k % columns;
+      const int row = k / columns;
+      const Box tile{inner.x + static_cast<float>(column) * width,
+                     inner.y + static_cast<float>(row) * height, width, height};
       draw_tile(pass, tile, view, by_name[static_cast<std::size_t>(k)], figures);
     }
   });
