@@ -82,8 +82,9 @@ std::vector<double> steps_of(const std::vector<Body>& body) {
 std::vector<FrameRange> jumps_in(const std::vector<double>& steps) {
   std::vector<FrameRange> jumps;
   for (std::size_t f = 0; f < steps.size(); ++f) {
-    const double before = f > 0 ? steps[f - 1] : 0;
-    const double after = f + 1 < steps.size() ? steps[f + 1] : 0;
+    // At an end of the take there is a neighbour on one side only.
+    const double before = f > 0 ? steps[f - 1] : INFINITY;
+    const double after = f + 1 < steps.size() ? steps[f + 1] : INFINITY;
     const double usual = std::min(before, after) + 0.01;
     const auto frame = static_cast<int>(f);
     if (steps[f] < least_leap_m || steps[f] < leap_over_neighbours * usual) continue;

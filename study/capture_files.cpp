@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <set>
 
 #include "motion/scanner.h"
@@ -62,16 +64,36 @@ bool is_number(const std::string& word) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-// How many words all begin with.
-std::size_t shared_words(const std::vector<Words>& all) {
+// How many words these begin with together.
+std::size_t shared_words(const std::vector<const Words*>& all) {
   if (all.size() < 2) return 0;
-  std::size_t shared = all.front().size();
-  for (const Words& words : all) {
+  std::size_t shared = all.front()->size();
+  for (const Words* words : all) {
     const auto end =
-        std::mismatch(all.front().begin(), all.front().end(), words.begin(), words.end());
-    shared = std::min(shared, static_cast<std::size_t>(end.first - all.front().begin()));
+        std::mismatch(all.front()->begin(), all.front()->end(), words->begin(), words->end());
+    shared = std::min(shared, static_cast<std::size_t>(end.first - all.front()->begin()));
   }
   return shared;
+}
+
+// The words of each file, and how many of them say nothing: those with which all files begin that
+// have the same first word. Captures of several series may lie in one heap.
+struct NamedFiles {
+  std::vector<Words> words;
+  std::vector<std::size_t> shared;
+};
+
+NamedFiles words_of_all(const std::vector<std::string>& files) {
+  NamedFiles named;
+  for (const std::string& file : files) named.words.push_back(words_of(file));
+  std::map<std::string, std::vector<const Words*>> series;
+  for (const Words& words : named.words) {
+    if (!words.empty()) series[words.front()].push_back(&words);
+  }
+  for (const Words& words : named.words) {
+    named.shared.push_back(words.empty() ? 0 : shared_words(series[words.front()]));
+  }
+  return named;
 }
 
 std::string style_of_words(Words words, std::size_t shared) {
@@ -101,34 +123,49 @@ std::vector<std::string> capture_files(const std::vector<std::string>& paths) {
 }
 
 std::vector<std::string> styles_of(const std::vector<std::string>& files) {
-  std::vector<Words> all;
-  all.reserve(files.size());
-  for (const std::string& file : files) all.push_back(words_of(file));
-  const std::size_t shared = shared_words(all);
+  const NamedFiles named = words_of_all(files);
   std::vector<std::string> styles;
   for (std::size_t i = 0; i < files.size(); ++i) {
-    styles.push_back(style_of_words(all[i], shared));
-    if (styles.back().empty()) styles.back() = style_of_words(all[i], 0);
+    styles.push_back(style_of_words(named.words[i], named.shared[i]));
+    if (styles.back().empty()) styles.back() = style_of_words(named.words[i], 0);
     if (styles.back().empty()) styles.back() = fs::path(files[i]).stem().string();
   }
   return styles;
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& files) {
-  std::vector<Words> all;
-  all.reserve(files.size());
-  for (const std::string& file : files) all.push_back(words_of(file));
-  const std::size_t shared = shared_words(all);
+  const NamedFiles named = words_of_all(files);
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const fs::path file(files[i]);
     const std::string stem = file.stem().string();
-    const std::size_t at = shared < all[i].size() ? start_of_word(stem, shared) : 0;
-    names.push_back(stem.substr(at));
+    const std::size_t shared = named.shared[i];
+    names.push_back(stem.substr(shared < named.words[i].size() ? start_of_word(stem, shared) : 0));
+    // A number alone says too little.
+    if (is_number(names.back())) names.back() = stem;
     if (!seen.insert(names.back()).second) names.back() = file.filename().string();
   }
   return names;
+}
+
+std::vector<FileLine> lines_around(const std::string& file, int line, int column, int reach,
+                                   std::size_t most) {
+  std::ifstream stream(file, std::ios::binary);
+  std::vector<FileLine> lines;
+  std::string text;
+  for (int number = 1; number <= line + reach && std::getline(stream, text); ++number) {
+    if (number < line - reach) continue;
+    const std::size_t at = column > 0 ? static_cast<std::size_t>(column) - 1 : 0;
+    const bool whole = text.size() <= most;
+    const std::size_t from = whole || at < most / 2 ? 0 : at - most / 2;
+    std::string part = from < text.size() ? text.substr(from, most) : "";
+    std::replace_if(
+        part.begin(), part.end(), [](char c) { return c < ' ' || c > '~'; }, ' ');
+    lines.push_back(
+        {number, (from > 0 ? "… " : "") + part + (from + most < text.size() ? " …" : "")});
+  }
+  return lines;
 }
 
 std::string common_folder(const std::vector<std::string>& files) {

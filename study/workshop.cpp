@@ -162,20 +162,13 @@ std::string Workshop::key_of(const TakeSource& source) const {
          (options().walk ? "walk" : "other");
 }
 
-const ReadCapture* Workshop::find(std::size_t take) const {
-  const auto found = read_.find(key_of(takes()[take].source));
-  return found == read_.end() ? nullptr : &found->second;
-}
-
 std::shared_ptr<const motion::TakeReview> Workshop::review(std::size_t take) const {
-  const ReadCapture* read = find(take);
-  return read != nullptr ? read->review : nullptr;
+  return found_[take] != nullptr ? found_[take]->review : nullptr;
 }
 
 const std::vector<Problem>& Workshop::problems(std::size_t take) const {
   static const std::vector<Problem> none;
-  const ReadCapture* read = find(take);
-  return read != nullptr ? read->problems : none;
+  return found_[take] != nullptr ? found_[take]->problems : none;
 }
 
 std::vector<WalkPlace> Workshop::walks() const {
@@ -195,7 +188,7 @@ std::size_t Workshop::refused() const {
 
 std::optional<TakeSource> Workshop::unread() const {
   for (std::size_t t = 0; t < takes().size(); ++t) {
-    if (find(t) == nullptr) return takes()[t].source;
+    if (found_[t] == nullptr) return takes()[t].source;
   }
   return std::nullopt;
 }
@@ -268,13 +261,15 @@ void Workshop::name_missing(State& state) const {
 
 void Workshop::judge() {
   verdicts_.assign(takes().size(), {});
+  found_.assign(takes().size(), nullptr);
   std::vector<motion::Take> skeletons;
   int model = -1;
   for (std::size_t t = 0; t < takes().size(); ++t) {
     Verdict& verdict = verdicts_[t];
     const WorkshopTake& take = takes()[t];
-    const ReadCapture* read = find(t);
-    if (read == nullptr) continue;
+    const auto known = read_.find(key_of(take.source));
+    if (known == read_.end()) continue;
+    const ReadCapture* read = found_[t] = &known->second;
     if (!read->review) {
       verdict = {TakeState::unreadable, message_of(read->problems),
                  read->problems.empty() ? 0 : read->problems.front().line};
@@ -306,13 +301,12 @@ void Workshop::judge() {
 }
 
 void Workshop::settle() {
-  for (State& one : history_) {
-    std::sort(one.takes.begin(), one.takes.end(), [](const WorkshopTake& a, const WorkshopTake& b) {
-      return a.source.file < b.source.file;
-    });
-    choose_missing(one);
-    name_missing(one);
-  }
+  State& now = history_[now_];
+  std::sort(now.takes.begin(), now.takes.end(), [](const WorkshopTake& a, const WorkshopTake& b) {
+    return a.source.file < b.source.file;
+  });
+  choose_missing(now);
+  name_missing(now);
   judge();
   ++revision_;
 }

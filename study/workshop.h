@@ -117,12 +117,11 @@ class Workshop {
   };
   const State& state() const { return history_[now_]; }
   void commit(State state, int gesture = 0);
-  void settle();  // after every change: what follows from it
+  void settle();  // after every change: what follows from it for the state of now
   void choose_missing(State& state) const;
   void name_missing(State& state) const;
   void judge();
   std::string key_of(const motion::TakeSource& source) const;
-  const ReadCapture* find(std::size_t take) const;
 
   std::vector<State> history_;
   std::size_t now_ = 0;
@@ -130,7 +129,8 @@ class Workshop {
   std::map<std::string, ReadCapture> read_;
   std::map<LoopOrder, std::shared_ptr<const motion::LoopReview>> loops_;
   std::vector<Verdict> verdicts_;
-  std::string recipe_folder_;  // of the recipe that was opened
+  std::vector<const ReadCapture*> found_;  // of each take, in read_; null: not read yet
+  std::string recipe_folder_;              // of the recipe that was opened
   int revision_ = 0;
 };
 

@@ -80,7 +80,7 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::results:
       return make_results_page(services_, *room().study);
     case DeskPlace::takes:
-      return std::make_unique<TakesPage>(setting_.studies);
+      return make_takes_page(services_);
     case DeskPlace::edit:
       return std::make_unique<EditPage>(study_->file());
     case DeskPlace::watch:
@@ -135,8 +135,46 @@ void Desk::draw(const Ui& ui) {
   const DeskJob* const job = jobs_.shown();
   const float foot = job != nullptr || !jobs_.trouble().empty() ? ui.layout.size(48) : 0;
   draw_tabs(ui, {0, 0, size.x, head});
-  page().draw(ui, words_.at(language_), {0, head, size.x, size.y - head - foot});
+  const float notice = draw_unsaved(ui, {0, head, size.x, ui.layout.size(48)});
+  const float top = head + notice;
+  page().draw(ui, words_.at(language_), {0, top, size.x, size.y - top - foot});
   if (foot > 0) draw_desk_foot(ui, words_.at(language_), jobs_, {0, size.y - foot, size.x, foot});
+}
+
+DeskPage* Desk::edit_page() {
+  if (place_ < first_of_study) return nullptr;
+  return room().pages[static_cast<std::size_t>(DeskPlace::edit)].get();
+}
+
+float Desk::draw_unsaved(const Ui& ui, const Box& box) {
+  DeskPage* const edit = edit_page();
+  if (edit == nullptr || !edit->unsaved()) {
+    asked_to_close_ = false;
+    return 0;
+  }
+  if (place_ == DeskPlace::edit && !asked_to_close_) return 0;
+  const study::Texts& words = words_.at(language_);
+  fill(box, ui.look.palette.known);
+  const float inset = ui.layout.size(16);
+  const float wide = ui.layout.size(140);
+  const float edge = ui.layout.size(5);
+  draw_line(ui.look.fonts.text, {box.x + inset, box.y, box.width - wide - 3 * inset, box.height},
+            ui.look.palette.text, words(asked_to_close_ ? "shell.close_unsaved" : "shell.unsaved"));
+  const Box save{box.right() - wide - inset, box.y + edge, wide, box.height - 2 * edge};
+  if (button(ui, "save_study", save, words("shell.save"), ButtonKind::outlined)) edit->save();
+  return box.height;
+}
+
+bool Desk::may_close() {
+  if (asked_to_close_) return true;
+  for (auto& [folder, room] : rooms_) {
+    const auto& edit = room.pages[static_cast<std::size_t>(DeskPlace::edit)];
+    if (!edit || !edit->unsaved()) continue;
+    open(room.study->place());
+    asked_to_close_ = true;
+    return false;
+  }
+  return true;
 }
 
 // Ctrl and a number: the places from left to right.

@@ -11,6 +11,7 @@ namespace promenade::app {
 
 // `services` outlive them.
 std::unique_ptr<DeskPage> make_studies_page(DeskServices& services);
+std::unique_ptr<DeskPage> make_takes_page(DeskServices& services);
 std::unique_ptr<DeskPage> make_plan_page(DeskServices& services, OpenStudy& study);
 std::unique_ptr<DeskPage> make_rehearse_page(DeskServices& services, OpenStudy& study);
 std::unique_ptr<DeskPage> make_run_page(DeskServices& services, OpenStudy& study);

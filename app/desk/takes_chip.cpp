@@ -28,9 +28,23 @@ bool is_guessed(const study::Workshop& shop, std::size_t take) {
   return review && review->unit_guessed && !shop.takes()[take].source.figure.unit_m;
 }
 
+// Does a chosen loop run over a gap?
+bool runs_over_gap(const study::Workshop& shop, std::size_t take) {
+  const auto review = shop.review(take);
+  for (const motion::GivenCycle& cycle : shop.takes()[take].source.cycles) {
+    const double first = cycle.frames.front() - review->take.first_frame;
+    const double last = cycle.frames.back() - review->take.first_frame;
+    for (const motion::FrameRange& gap : review->gaps) {
+      if (gap.first < last && gap.last > first) return true;
+    }
+  }
+  return false;
+}
+
 // Of a take that the set uses.
 Chip used_chip(const study::Workshop& shop, std::size_t take, const study::Texts& words) {
   const auto review = shop.review(take);
+  if (runs_over_gap(shop, take)) return {words("takes.gap_in_loop"), ChipKind::doubt};
   if (is_guessed(shop, take)) {
     const double unit = review->figure.unit_m;
     if (unit != common_guess(shop, guessed_units(shop))) {
@@ -106,13 +120,15 @@ std::string reason_of(const study::Workshop& shop, std::size_t take, const study
   } else if (verdict.state == TakeState::left_out) {
     return words("takes.why.left_out");
   } else {
-    return {};
+    const bool gap = verdict.state == TakeState::used && runs_over_gap(shop, take);
+    return gap ? words("takes.why.gap") : "";
   }
   return plain + "\n" + words.with("takes.why.exactly", {{"reason", verdict.reason}});
 }
 
 float chip_width(const Ui& ui, const Chip& chip) {
-  return std::round(text_width(ui.look.fonts.text, chip.words)) + ui.layout.size(16);
+  ImFont* const font = chip.kind == ChipKind::failed ? ui.look.fonts.bold : ui.look.fonts.text;
+  return std::ceil(text_width(font, chip.words)) + ui.layout.size(18);
 }
 
 void draw_chip(const Ui& ui, const Box& box, const Chip& chip) {
@@ -125,7 +141,7 @@ void draw_chip(const Ui& ui, const Box& box, const Chip& chip) {
                                                 : ink_on(palette, ground);
   fill(box, ground);
   draw_line(failed ? ui.look.fonts.bold : ui.look.fonts.text,
-            {box.x + ui.layout.size(8), box.y, box.width - ui.layout.size(12), box.height}, ink,
+            {box.x + ui.layout.size(8), box.y, box.width - ui.layout.size(14), box.height}, ink,
             chip.words);
 }
 

@@ -1,6 +1,7 @@
 #include "app/desk/takes_foot.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/desk/column.h"
@@ -72,8 +73,8 @@ void TakesFoot::draw(const Ui& ui, const study::Texts& words, const Box& box) {
   const float wide = ui.layout.size(160), icon = ui.layout.size(44);
   const Box press{box.right() - in - wide, box.y + in / 2, wide, box.height - in};
   study::Workshop& shop = work_.shop();
-  const Box redo{press.x - in - icon, press.y, icon, press.height};
-  const Box undo{redo.x - icon, press.y, icon, press.height};
+  const Box redo{press.x - in - icon, std::round(box.middle_y() - icon / 2), icon, icon};
+  const Box undo{redo.x - icon, redo.y, icon, icon};
   if (icon_button(ui, "undo", "takes", undo, Icon::undo, shop.can_undo())) shop.undo();
   if (icon_button(ui, "redo", "takes", redo, Icon::redo, shop.can_redo())) shop.redo();
   const Box left{box.x + ui.layout.size(16), box.y, undo.x - box.x - ui.layout.size(28),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <map>
 
 #include "app/choice.h"
 #include "app/desk/column.h"
@@ -13,7 +14,24 @@ namespace promenade::app {
 namespace {
 
 constexpr std::array<double, 5> units = {1, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
-constexpr float row_height = 38, failed_height = 66;  // at 1280 x 720
+constexpr float row_height = 38, failed_height = 62, head_height = 34;  // at 1280 x 720
+
+// Of the list, in its order.
+enum class Part { refused, used, left_out };
+
+Part part_of(const study::Verdict& verdict) {
+  if (verdict.refused()) return Part::refused;
+  return verdict.state == study::TakeState::left_out ? Part::left_out : Part::used;
+}
+
+void draw_head(const Ui& ui, const study::Texts& words, const Box& box, Part part, int count) {
+  const char* key = part == Part::refused ? "takes.head.refused"
+                    : part == Part::used  ? "takes.head.used"
+                                          : "takes.head.left_out";
+  draw_text(ui.look.fonts.bold, {box.x + ui.layout.size(10), box.y, box.width, box.height},
+            part == Part::refused ? ui.look.palette.alarm : ui.look.palette.quiet,
+            words.with(key, {{"count", std::to_string(count)}}));
+}
 
 std::string home_folder() {
   const char* home = std::getenv("HOME");
@@ -24,12 +42,13 @@ std::string home_folder() {
 
 TakesList::TakesList(TakesWork& work) : work_(work), files_(home_folder(), {".bvh", ".amc"}) {}
 
-void TakesList::name_takes() {
-  if (named_ == work_.shop().revision()) return;
+const std::vector<std::string>& TakesList::names() {
+  if (named_ == work_.shop().revision()) return names_;
   named_ = work_.shop().revision();
   std::vector<std::string> files;
   for (const study::WorkshopTake& take : work_.shop().takes()) files.push_back(take.source.file);
   names_ = study::short_names(files);
+  return names_;
 }
 
 void TakesList::take_path() {
@@ -40,7 +59,6 @@ void TakesList::take_path() {
 }
 
 void TakesList::draw(const Ui& ui, const study::Texts& words, const Box& box, std::int64_t now_us) {
-  name_takes();
   Column column(ui, box);
   Box line = column.take(40, 6);
   const float gap = ui.layout.size(6);
@@ -71,16 +89,20 @@ void TakesList::draw_unit(const Ui& ui, const study::Texts& words, Box& left) {
   std::copy_if(guessed.begin(), guessed.end(), std::back_inserter(alike),
                [&](std::size_t t) { return work_.shop().review(t)->figure.unit_m == guess; });
   const auto leg = work_.shop().review(alike.front())->figure.leg_m;
-  const std::string text = words.with(
-      "takes.unit_says",
-      {{"unit", unit_name(guess, words)}, {"leg", std::to_string(std::lround(100 * leg))}});
-  const float in = ui.layout.size(8);
+  const std::string text =
+      words.with("takes.unit_says", {{"leg", std::to_string(std::lround(100 * leg))}});
+  const Chip chip{words.with("takes.unit_guessed", {{"unit", unit_name(guess, words)}}),
+                  ChipKind::doubt};
+  const float in = ui.layout.size(8), line = ui.layout.size(28);
   const float high = paragraphs_height(ui.look.fonts.text, left.width - 2 * in, text);
-  const Box card{left.x, left.y, left.width, high + ui.layout.size(36) + 3 * in};
+  const Box card{left.x, left.y, left.width, line + high + ui.layout.size(36) + 4 * in};
   const Palette& palette = ui.look.palette;
-  fill(card, palette.pilot);
-  draw_paragraphs(ui.look.fonts.text, card.x + in, card.y + in, card.width - 2 * in,
-                  ink_on(palette, palette.pilot), text);
+  fill(card, palette.panel);
+  draw_chip(ui,
+            {card.x + in, card.y + in, std::min(chip_width(ui, chip), card.width - 2 * in), line},
+            chip);
+  draw_paragraphs(ui.look.fonts.text, card.x + in, card.y + line + 2 * in, card.width - 2 * in,
+                  palette.text, text);
   const float half = (card.width - 3 * in) / 2;
   const Box yes{card.x + in, card.bottom() - in - ui.layout.size(36), half, ui.layout.size(36)};
   if (button(ui, "unit_right", yes, words("takes.unit_right"), ButtonKind::outlined)) {
@@ -94,16 +116,26 @@ void TakesList::draw_unit(const Ui& ui, const study::Texts& words, Box& left) {
   left.height -= card.height + in;
 }
 
+// A line over each part of the list says what it is, and how many.
 void TakesList::draw_rows(const Ui& ui, const study::Texts& words, const Box& box) {
-  const study::Workshop& shop = work_.shop();
+  const std::vector<std::size_t> list = work_.listed();
+  std::map<Part, int> counts;
+  for (const std::size_t t : list) ++counts[part_of(work_.shop().verdict(t))];
+  const float head = ui.layout.size(head_height);
   const auto height = [&](std::size_t t) {
-    return ui.layout.size(shop.verdict(t).refused() ? failed_height : row_height);
+    return ui.layout.size(work_.shop().verdict(t).refused() ? failed_height : row_height);
   };
-  float high = 0;
-  for (const std::size_t t : work_.listed()) high += height(t);
+  float high = static_cast<float>(counts.size()) * head;
+  for (const std::size_t t : list) high += height(t);
   scrolled("takes", box, high, [&](const Box& all) {
     float y = all.y;
-    for (const std::size_t t : work_.listed()) {
+    for (const std::size_t t : list) {
+      const Part part = part_of(work_.shop().verdict(t));
+      if (const auto count = counts.find(part); count != counts.end()) {
+        draw_head(ui, words, {all.x, y, all.width, head}, part, count->second);
+        y += head;
+        counts.erase(count);
+      }
       draw_row(ui, words, {all.x, y, all.width, height(t)}, t);
       y += height(t);
     }
@@ -134,7 +166,7 @@ void TakesList::draw_row(const Ui& ui, const study::Texts& words, const Box& box
                  failed ? room : room - wide - in, failed ? high : box.height};
   const bool aside = work_.shop().verdict(take).state == study::TakeState::left_out;
   draw_line(shown || failed ? ui.look.fonts.bold : ui.look.fonts.text, name,
-            aside ? palette.quiet : palette.text, names_[take]);
+            aside ? palette.quiet : palette.text, names()[take]);
   draw_chip(ui, chip_box, chip);
 }
 

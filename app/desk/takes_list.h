@@ -18,7 +18,7 @@ class TakesList {
   bool browsing() const { return browsing_; }
   void draw_folders(const Ui& ui, const study::Texts& words, const Box& box);
   void browse(bool on) { browsing_ = on; }
-  const std::vector<std::string>& names() const { return names_; }
+  const std::vector<std::string>& names();  // of the takes, short
 
  private:
   void take_path();
@@ -26,14 +26,13 @@ class TakesList {
   void draw_rows(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_row(const Ui& ui, const study::Texts& words, const Box& box, std::size_t take);
   void move_by_key(const Ui& ui);
-  void name_takes();
 
   TakesWork& work_;
   Draft path_;
   FileList files_;
   bool browsing_ = false;
-  std::vector<std::string> names_;  // of the takes, short
-  int named_ = -1;                  // the revision of the workshop that they are of
+  std::vector<std::string> names_;
+  int named_ = -1;  // the revision of the workshop that they are of
 };
 
 }  // namespace promenade::app

@@ -2,16 +2,35 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "app/desk/column.h"
+#include "app/desk/pages.h"
 
 namespace promenade::app {
 namespace {
 
 // Lengths at 1280 x 720: at 1440 x 900 the columns are 280 and 360 pixels wide.
 constexpr float list_width = 250, set_width = 320, foot_height = 64, edge = 12;
+
+// The best loop beside those that are chosen; nothing: there is none.
+std::optional<std::vector<double>> another_loop(const study::Workshop& shop, std::size_t take) {
+  const auto review = shop.review(take);
+  const std::vector<motion::GivenCycle>& chosen = shop.takes()[take].source.cycles;
+  const double shift = review->take.first_frame;
+  for (const motion::CycleCandidate& loop : review->search.candidates) {
+    const bool apart =
+        std::all_of(chosen.begin(), chosen.end(), [&](const motion::GivenCycle& one) {
+          return loop.keys.back() + shift <= one.frames.front() + 1 ||
+                 loop.first() + shift >= one.frames.back() - 1;
+        });
+    if (apart) return loop.keys;
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -80,6 +99,7 @@ void TakesPage::draw_middle(const Ui& ui, const study::Texts& words, const Box& 
     draw_nothing_yet(ui, words, box);
   } else {
     draw_take(ui, words, box);
+    if (std::exchange(forgotten_, false)) work_.shop().forget(*work_.take());
   }
 }
 
@@ -97,7 +117,7 @@ void TakesPage::draw_nothing_yet(const Ui& ui, const study::Texts& words, const 
 }
 
 void TakesPage::draw_take(const Ui& ui, const study::Texts& words, const Box& box) {
-  const float timeline = ui.layout.size(156), tools = ui.layout.size(44), in = ui.layout.size(8);
+  const float timeline = ui.layout.size(162), tools = ui.layout.size(44), in = ui.layout.size(8);
   const std::size_t take = *work_.take();
   const std::string reason = reason_of(work_.shop(), take, words);
   const bool seen = work_.shop().review(take) != nullptr;
@@ -106,81 +126,132 @@ void TakesPage::draw_take(const Ui& ui, const study::Texts& words, const Box& bo
                          ? ui.layout.size(30)
                          : paragraphs_height(ui.look.fonts.text, wide, reason) + ui.layout.size(58);
   Box left = box;
-  draw_says(ui, words, {left.x, left.y, left.width, says});
+  draw_says(ui, words, {left.x, left.y, left.width, says}, reason);
   left.y += says + in;
   left.height -= says + in;
-  if (!seen) return stage_.hide();
+  if (!seen) {
+    stage_.hide();
+    return draw_lines(ui, words, left);
+  }
   const Box stage{left.x, left.y, left.width, left.height - timeline - tools - 2 * in};
   stage_.draw(ui, words, stage, list_.names()[take]);
   timeline_.draw(ui, words, {left.x, stage.bottom() + in, left.width, timeline});
   draw_tools(ui, words, {left.x, left.bottom() - tools, left.width, tools});
 }
 
-// What the take is; where it was refused, why in plain words.
-void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& box) {
-  const Palette& palette = ui.look.palette;
-  const study::Workshop& shop = work_.shop();
+// The lines of the file where reading stopped.
+void TakesPage::draw_lines(const Ui& ui, const study::Texts& words, const Box& box) {
   const std::size_t take = *work_.take();
-  const std::string reason = reason_of(shop, take, words);
-  const auto review = shop.review(take);
-  const float in = ui.layout.size(14);
-  std::string facts = std::filesystem::path(shop.takes()[take].source.file).filename().string();
-  if (review) {
-    facts = words.with(
-        "takes.facts",
-        {{"file", facts},
-         {"seconds", fmt::format("{:.1f}", review->take.frames() * review->take.frame_time)},
-         {"rate", fmt::format("{:.0f}", 1 / review->take.frame_time)},
-         {"joints", std::to_string(review->joints())}});
+  const std::vector<Problem>& problems = work_.shop().problems(take);
+  if (problems.empty() || problems.front().line == 0) return;
+  const Problem& problem = problems.front();
+  const std::string& file = work_.shop().takes()[take].source.file;
+  if (lines_of_ != file) {
+    lines_of_ = file;
+    lines_ = study::lines_around(file, problem.line, problem.column, 3, 64);
   }
-  if (reason.empty()) {
-    return draw_line(ui.look.fonts.text, box, palette.quiet, facts);
+  const Palette& palette = ui.look.palette;
+  const float high = ui.layout.size(30), in = ui.layout.size(14), number = ui.layout.size(60);
+  Box line{box.x, box.y, box.width, high};
+  draw_line(ui.look.fonts.text, line, palette.quiet, words("takes.lines"));
+  for (const study::FileLine& one : lines_) {
+    line.y += high;
+    const bool here = one.number == problem.line;
+    fill(line, here ? palette.alarm : palette.on_colour);
+    const Rgb& ink = here ? palette.on_colour : palette.quiet;
+    draw_text(ui.look.fonts.text, {line.x + in, line.y, number, high}, ink,
+              std::to_string(one.number));
+    ImGui::PushClipRect({line.x, line.y}, {line.right() - in, line.bottom()}, true);
+    draw_text(here ? ui.look.fonts.bold : ui.look.fonts.text,
+              {line.x + in + number, line.y, line.width, high}, ink, one.text);
+    ImGui::PopClipRect();
   }
-  const bool failed = shop.verdict(take).refused();
+}
+
+std::string TakesPage::facts_of(const study::Texts& words, std::size_t take) const {
+  const std::filesystem::path file(work_.shop().takes()[take].source.file);
+  const auto review = work_.shop().review(take);
+  if (!review) return file.filename().string();
+  const motion::Take& seen = review->take;
+  return words.with("takes.facts",
+                    {{"file", file.filename().string()},
+                     {"seconds", fmt::format("{:.1f}", seen.frames() * seen.frame_time)},
+                     {"rate", fmt::format("{:.0f}", 1 / seen.frame_time)},
+                     {"joints", std::to_string(review->joints())}});
+}
+
+// What the take is; where it was refused, why in plain words.
+void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& box,
+                          const std::string& reason) {
+  const Palette& palette = ui.look.palette;
+  const std::size_t take = *work_.take();
+  const std::string facts = facts_of(words, take);
+  if (reason.empty()) return draw_line(ui.look.fonts.text, box, palette.quiet, facts);
+  const bool failed = work_.shop().verdict(take).refused();
+  const float in = ui.layout.size(14), gap = ui.layout.size(8);
   fill(box, palette.on_colour);
   fill({box.x, box.y, ui.layout.size(6), box.height}, failed ? palette.alarm : palette.line);
-  const Chip chip = chip_of(shop, take, words);
-  const Box line{box.x + in, box.y + ui.layout.size(8), box.width - 2 * in, ui.layout.size(28)};
-  const float wide = std::min(chip_width(ui, chip), 0.6f * line.width);
-  draw_chip(ui, {line.x, line.y, wide, line.height}, chip);
-  draw_line(ui.look.fonts.bold, {line.x + wide + in, line.y, line.width - wide - in, line.height},
-            palette.text, facts);
-  draw_paragraphs(ui.look.fonts.text, line.x, line.bottom() + ui.layout.size(8), line.width,
-                  palette.text, reason);
+  Box line{box.x + in, box.y + gap, box.width - 2 * in, ui.layout.size(28)};
+  const float under = line.bottom() + gap, whole = line.width;
+  const Chip chip = chip_of(work_.shop(), take, words);
+  const Box chip_box{line.x, line.y, std::min(chip_width(ui, chip), 0.5f * whole), line.height};
+  draw_chip(ui, chip_box, chip);
+  const std::string& off = words("takes.forget");
+  const float wide = std::round(text_width(ui.look.fonts.text, off)) + ui.layout.size(24);
+  const Box forget{line.right() - wide, line.y, wide, line.height};
+  if (button(ui, "forget", forget, off, ButtonKind::outlined)) forgotten_ = true;
+  line.x = chip_box.right() + in;
+  line.width = forget.x - in - line.x;
+  draw_line(ui.look.fonts.bold, line, palette.text, facts);
+  draw_paragraphs(ui.look.fonts.text, chip_box.x, under, whole, palette.text, reason);
 }
 
 void TakesPage::draw_tools(const Ui& ui, const study::Texts& words, const Box& box) {
   study::Workshop& shop = work_.shop();
-  const std::optional<study::WalkPlace> walk = work_.walk();
+  const float in = ui.layout.size(10);
+  Box left = box;
   const Box play{box.x, box.y, box.height, box.height};
   if (icon_button(ui, "play", "take", play, work_.playing() ? Icon::pause : Icon::play)) {
     work_.play(!work_.playing());
   }
+  left.x += play.width + in;
+  left.width -= play.width + in;
+  const auto at_right = [&](std::string_view label) {
+    const float wide = std::round(text_width(ui.look.fonts.text, label)) + ui.layout.size(28);
+    left.width -= wide + in;
+    return Box{left.right() + in, box.y, wide, box.height};
+  };
   const std::size_t take = *work_.take();
   const bool out = shop.takes()[take].left_out;
-  const std::string_view out_words = words(out ? "takes.take_back" : "takes.leave_out");
-  const float in = ui.layout.size(10);
-  const float wide = text_width(ui.look.fonts.text, out_words) + ui.layout.size(28);
-  const Box leave{box.right() - wide, box.y, wide, box.height};
-  if (shop.verdict(take).state == study::TakeState::used || out) {
-    if (button(ui, "leave_out", leave, out_words, ButtonKind::outlined)) {
-      shop.leave_out(take, !out);
-    }
+  const bool used = shop.verdict(take).state == study::TakeState::used;
+  const std::string& leave = words(out ? "takes.take_back" : "takes.leave_out");
+  if ((used || out) && button(ui, "leave_out", at_right(leave), leave, ButtonKind::outlined)) {
+    return shop.leave_out(take, !out);
   }
-  if (!walk) return;
-  const auto loop = work_.loop(*walk);
+  const auto more = used ? another_loop(shop, take) : std::nullopt;
+  const std::string& another = words("takes.another_loop");
+  if (more && button(ui, "another_loop", at_right(another), another, ButtonKind::outlined)) {
+    shop.add_loop(take, *more);
+    return work_.look_at(take, shop.takes()[take].source.cycles.size() - 1);
+  }
+  draw_loop_facts(ui, words, left);
+}
+
+// Two lines beside the buttons.
+void TakesPage::draw_loop_facts(const Ui& ui, const study::Texts& words, const Box& box) const {
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  const auto loop = walk ? work_.loop(*walk) : nullptr;
   if (!loop) return;
-  const motion::CycleCandidate& cut = loop->cut;
-  const double first = loop->cycle().first_frame;
-  const std::string says =
-      words.with("takes.loop_facts", {{"loop", loop_says(*loop, words)},
-                                      {"seconds", fmt::format("{:.2f}", loop->cycle().seconds)},
-                                      {"first", fmt::format("{:.0f}", first)},
-                                      {"frames", fmt::format("{:.0f}", cut.length())},
-                                      {"unlike", fmt::format("{:.0f}", 1000 * cut.window_m)}});
-  draw_line(ui.look.fonts.text,
-            {play.right() + in, box.y, leave.x - play.right() - 2 * in, box.height},
-            ui.look.palette.text, says);
+  const std::string first =
+      words.with("takes.loop_frames", {{"frames", fmt::format("{:.0f}", loop->cut.length())},
+                                       {"first", std::to_string(loop->cycle().first_frame)},
+                                       {"seconds", fmt::format("{:.2f}", loop->cycle().seconds)}});
+  const std::string second =
+      words.with("takes.loop_unlike", {{"mm", fmt::format("{:.0f}", 1000 * loop->cut.window_m)}});
+  const float half = std::round(box.height / 2);
+  draw_line(ui.look.fonts.text, {box.x, box.y, box.width, half}, ui.look.palette.text, first);
+  draw_line(ui.look.fonts.text, {box.x, box.y + half, box.width, half}, ui.look.palette.quiet,
+            second);
 }
 
 void TakesPage::hear_keys(const Ui& ui) {
@@ -195,6 +266,10 @@ void TakesPage::hear_keys(const Ui& ui) {
                     ui.focus.on_kind("slide") || ui.focus.on_kind("stage") ||
                     ui.focus.on_kind("loop");
   if (free && key_pressed(ImGuiKey_Space, false)) work_.play(!work_.playing());
+}
+
+std::unique_ptr<DeskPage> make_takes_page(DeskServices& services) {
+  return std::make_unique<TakesPage>(services.shelf.folder().string());
 }
 
 }  // namespace promenade::app

@@ -10,6 +10,7 @@
 #include "app/desk/takes_set.h"
 #include "app/desk/takes_stage.h"
 #include "app/desk/takes_timeline.h"
+#include "study/capture_files.h"
 
 namespace promenade::app {
 
@@ -32,8 +33,12 @@ class TakesPage : public DeskPage {
   void draw_middle(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box) const;
   void draw_take(const Ui& ui, const study::Texts& words, const Box& box);
-  void draw_says(const Ui& ui, const study::Texts& words, const Box& box);
+  void draw_lines(const Ui& ui, const study::Texts& words, const Box& box);
+  std::string facts_of(const study::Texts& words, std::size_t take) const;
+  void draw_says(const Ui& ui, const study::Texts& words, const Box& box,
+                 const std::string& reason);
   void draw_tools(const Ui& ui, const study::Texts& words, const Box& box);
+  void draw_loop_facts(const Ui& ui, const study::Texts& words, const Box& box) const;
   void hear_keys(const Ui& ui);
 
   TakesWork work_;
@@ -42,6 +47,9 @@ class TakesPage : public DeskPage {
   TakesTimeline timeline_;
   TakesSet set_;
   TakesFoot foot_;
+  std::string lines_of_;  // the file that `lines_` are of
+  std::vector<study::FileLine> lines_;
+  bool forgotten_ = false;  // somebody wants the take off the list
   std::int64_t now_us_ = 0;
   mutable std::vector<std::string> shown_;
   mutable int shown_revision_ = -1;

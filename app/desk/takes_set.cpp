@@ -10,7 +10,7 @@
 namespace promenade::app {
 namespace {
 
-constexpr float tile_size = 100, name_height = 30, gap_size = 6;  // at 1280 x 720
+constexpr float tile_size = 100, name_height = 28, gap_size = 4;  // at 1280 x 720
 
 // Words that make a target of a walk.
 std::string target_of(const study::Workshop& shop, const study::WalkPlace& walk) {
@@ -53,24 +53,26 @@ void TakesSet::draw(const Ui& ui, const study::Texts& words, const Box& box) {
   area_ = box;
   shown_.clear();
   removed_.reset();
-  const float in = ui.layout.size(8), head = ui.layout.size(34);
+  const float in = ui.layout.size(4), head = ui.layout.size(34);
   const std::vector<study::WalkPlace> walks = work_.shop().walks();
-  draw_text(ui.look.fonts.bold, {box.x + in, box.y, box.width - 2 * in, head}, ui.look.palette.text,
-            words("takes.the_set"));
+  draw_text(ui.look.fonts.bold, {box.x + 2 * in, box.y, box.width - 4 * in, head},
+            ui.look.palette.text, words("takes.the_set"));
   if (refused_name_) {
-    draw_text(ui.look.fonts.text, {box.x + in, box.y, box.width - 2 * in, head},
+    draw_text(ui.look.fonts.text, {box.x + 2 * in, box.y, box.width - 4 * in, head},
               ui.look.palette.alarm, words("takes.name_taken"), Align::right);
   }
   const Box area{box.x + in, box.y + head, box.width - 2 * in, box.height - head - in};
   if (walks.empty()) {
-    draw_paragraphs(ui.look.fonts.text, area.x, area.y, area.width, ui.look.palette.quiet,
-                    words("takes.set_empty"));
+    draw_paragraphs(ui.look.fonts.text, area.x + in, area.y, area.width - 2 * in,
+                    ui.look.palette.quiet, words("takes.set_empty"));
     return;
   }
   const float gap = ui.layout.size(gap_size);
-  const float tile = ui.layout.size(tile_size), high = tile + ui.layout.size(name_height) + gap;
-  const auto columns = static_cast<std::size_t>(std::max(
-      1.0f, std::floor((area.width - ImGui::GetStyle().ScrollbarSize + gap) / (tile + gap))));
+  const float room = area.width - ImGui::GetStyle().ScrollbarSize + gap;
+  const float columns_wide = std::max(1.0f, std::round(room / (ui.layout.size(tile_size) + gap)));
+  const float tile = std::floor(room / columns_wide) - gap;
+  const float high = tile + ui.layout.size(name_height) + gap;
+  const auto columns = static_cast<std::size_t>(columns_wide);
   const auto rows = static_cast<float>((walks.size() + columns - 1) / columns);
   scrolled("set", area, rows * high, [&](const Box& all) {
     for (std::size_t k = 0; k < walks.size(); ++k) {
@@ -85,17 +87,21 @@ void TakesSet::draw(const Ui& ui, const study::Texts& words, const Box& box) {
 void TakesSet::draw_tile(const Ui& ui, const study::WalkPlace& walk, const Box& cell) {
   const Palette& palette = ui.look.palette;
   const std::string target = target_of(work_.shop(), walk);
-  const Box picture{cell.x, cell.y, cell.width, ui.layout.size(tile_size)};
+  const Box picture{cell.x, cell.y, cell.width, cell.width};
   const Box cross{picture.right() - ui.layout.size(26), picture.y, ui.layout.size(26),
                   ui.layout.size(26)};
   // Before the tile, which lies below it.
-  if (icon_button(ui, "remove", target, cross, Icon::close, true, false)) removed_ = walk;
+  if (pressed_area(ui, "remove", target, cross, false)) removed_ = walk;
   const bool entered =
       ui.focus.on("tile", target) && !writing() && key_pressed(ImGuiKey_Enter, false);
   if (tile(ui, "tile", target, picture)) work_.look_at(walk.take, walk.cycle);
   if (entered) begin_renaming(ui, walk);
   if (ui.focus.on("tile", target) && key_pressed(ImGuiKey_Delete, false)) removed_ = walk;
   draw_name(ui, walk, {cell.x, picture.bottom(), cell.width, ui.layout.size(name_height)});
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  const float sign = ui.layout.size(12);
+  draw_icon({cross.middle_x() - sign / 2, cross.middle_y() - sign / 2, sign, sign}, Icon::close,
+            cross.holds(mouse.x, mouse.y) ? palette.text : palette.example, ui.layout.size(2));
   if (work_.walk() == walk) frame(picture, palette.created, ui.layout.size(3));
   const Box clip = common_box(picture, visible_box());
   if (clip.width < 1 || clip.height < 1) return;

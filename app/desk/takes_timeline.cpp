@@ -28,11 +28,21 @@ bool same_loop(const std::vector<double>& a, const std::vector<double>& b) {
                     [](double x, double y) { return std::abs(x - y) < 0.02; });
 }
 
+std::string millimetres(double metres) { return std::to_string(std::lround(1000 * metres)); }
+
+std::string seam_says(const motion::LoopReview& loop, const study::Texts& words) {
+  return words.with("takes.seam", {{"mm", millimetres(loop.seam_m)}});
+}
+
+std::string slide_says(const motion::LoopReview& loop, const study::Texts& words) {
+  return words.with("takes.slide", {{"mm", millimetres(loop.slide_m)}});
+}
+
 }  // namespace
 
 std::string loop_says(const motion::LoopReview& loop, const study::Texts& words) {
-  const auto mm = [](double metres) { return std::to_string(std::lround(1000 * metres)); };
-  return words.with("takes.seam_slide", {{"seam", mm(loop.seam_m)}, {"slide", mm(loop.slide_m)}});
+  return words.with("takes.seam_slide",
+                    {{"seam", seam_says(loop, words)}, {"slide", slide_says(loop, words)}});
 }
 
 // Where everything is: pixels.
@@ -100,7 +110,7 @@ void TakesTimeline::draw(const Ui& ui, const study::Texts& words, const Box& box
   rows.ruler = take(26, 2);
   rows.left = take(22, 4);
   rows.right = take(22, 8);
-  rows.loops = take(36, 10);
+  rows.loops = take(42, 10);
   rows.overview = take(12, 0);
   rows.all = {rows.ruler.x, rows.ruler.y, rows.ruler.width, rows.loops.bottom() - rows.ruler.y};
   rows.frames = review->take.frames();
@@ -126,19 +136,16 @@ void TakesTimeline::draw_rows(const Ui& ui, const study::Texts& words, const Row
                    rows.right.bottom() - rows.left.y + ui.layout.size(4)};
   fill(ground, palette.on_colour);
   fill({rows.loops.x, rows.loops.y, rows.loops.width, rows.loops.height}, palette.on_colour);
-  const auto stretches = [&](const std::vector<motion::FrameRange>& list, const char* key) {
+  const auto stretches = [&](const std::vector<motion::FrameRange>& list) {
     for (const motion::FrameRange& one : list) {
       if (!rows.sees(one.first, one.last)) continue;
       const Box part = rows.between(ground, one.first, one.last + 1);
       fill(part, palette.hover);
-      hatch(ui, part, palette.line);
-      if (text_width(ui.look.fonts.text, words(key)) + ui.layout.size(12) < part.width) {
-        draw_text(ui.look.fonts.text, part, palette.quiet, words(key), Align::centre);
-      }
+      hatch(ui, part, palette.example);
     }
   };
-  stretches(review_->stretches.standing, "takes.stands");
-  stretches(review_->stretches.turning, "takes.turns");
+  stretches(review_->stretches.standing);
+  stretches(review_->stretches.turning);
   const auto steps = [&](const std::vector<motion::Stance>& list, const Box& row) {
     for (const motion::Stance& stance : list) {
       if (rows.sees(stance.on, stance.off)) {
@@ -148,6 +155,21 @@ void TakesTimeline::draw_rows(const Ui& ui, const study::Texts& words, const Row
   };
   steps(review_->contacts.left, rows.left);
   steps(review_->contacts.right, rows.right);
+  // On a plate, so that it is read over the steps.
+  const auto say = [&](const std::vector<motion::FrameRange>& list, const char* key) {
+    const float wide = text_width(ui.look.fonts.text, words(key)) + ui.layout.size(12);
+    for (const motion::FrameRange& one : list) {
+      if (!rows.sees(one.first, one.last)) continue;
+      const Box part = rows.between(ground, one.first, one.last + 1);
+      if (wide + ui.layout.size(4) > part.width) continue;
+      const Box plate{std::round(part.middle_x() - wide / 2),
+                      std::round(part.middle_y() - ui.layout.size(11)), wide, ui.layout.size(22)};
+      fill(plate, palette.panel);
+      draw_text(ui.look.fonts.text, plate, palette.text, words(key), Align::centre);
+    }
+  };
+  say(review_->stretches.standing, "takes.stands");
+  say(review_->stretches.turning, "takes.turns");
   for (const motion::FrameRange& gap : review_->gaps) {
     if (rows.sees(gap.first, gap.last)) {
       fill(rows.between(ground, gap.first, gap.last + 1), palette.alarm);
@@ -183,7 +205,8 @@ void TakesTimeline::draw_ruler(const Ui& ui, const Rows& rows) {
   if (!rows.sees(work_.frame(), work_.frame())) return;
   const float x = std::round(rows.x(work_.frame()));
   const float thick = ui.layout.size(2);
-  fill({x - thick / 2, rows.ruler.y, thick, rows.all.height}, palette.text);
+  const float top = rows.ruler.bottom() - ui.layout.size(7);
+  fill({x - thick / 2, top, thick, rows.right.bottom() - top}, palette.text);
 }
 
 void TakesTimeline::draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows) {
@@ -213,6 +236,36 @@ void TakesTimeline::draw_loops(const Ui& ui, const study::Texts& words, const Ro
   draw_chosen(ui, words, rows);
 }
 
+// Within the loop, on one line or on two; beside it where it is too short for them.
+void TakesTimeline::draw_numbers(const Ui& ui, const study::Texts& words, const Rows& rows,
+                                 const Box& band, const motion::LoopReview& loop) {
+  const Palette& palette = ui.look.palette;
+  const std::string seam = seam_says(loop, words), slide = slide_says(loop, words);
+  const std::string both = loop_says(loop, words);
+  const auto wide = [&](const std::string& text) {
+    return text_width(ui.look.fonts.bold, text) + ui.layout.size(12);
+  };
+  if (wide(both) < band.width) {
+    return draw_text(ui.look.fonts.bold, band, palette.on_colour, both, Align::centre);
+  }
+  Box box = band;
+  box.width = std::round(std::max(wide(seam), wide(slide)));
+  const bool within = box.width <= band.width;
+  if (within) {
+    box.width = band.width;
+  } else {
+    const float gap = ui.layout.size(6);
+    const bool right = band.right() + gap + box.width <= rows.loops.right();
+    box.x = right ? band.right() + gap : band.x - gap - box.width;
+    fill(box, palette.on_colour);
+  }
+  const Rgb& ink = within ? palette.on_colour : palette.created;
+  const float half = std::round(box.height / 2), near = ui.layout.size(1);
+  draw_text(ui.look.fonts.bold, {box.x, box.y + near, box.width, half}, ink, seam, Align::centre);
+  draw_text(ui.look.fonts.bold, {box.x, box.y + half - near, box.width, half}, ink, slide,
+            Align::centre);
+}
+
 void TakesTimeline::draw_chosen(const Ui& ui, const study::Texts& words, const Rows& rows) {
   const std::optional<study::WalkPlace> walk = work_.walk();
   if (!walk) return;
@@ -226,11 +279,7 @@ void TakesTimeline::draw_chosen(const Ui& ui, const study::Texts& words, const R
     fill(band, mine ? palette.created : palette.example);
     const auto loop = work_.loop({walk->take, c});
     if (!loop) continue;
-    const std::string says = loop_says(*loop, words);
-    const bool fits = text_width(ui.look.fonts.bold, says) + ui.layout.size(24) < band.width;
-    if (mine && fits) {
-      draw_text(ui.look.fonts.bold, band, palette.on_colour, says, Align::centre);
-    }
+    if (mine) draw_numbers(ui, words, rows, band, *loop);
   }
   draw_edge(ui, rows, false);
   draw_edge(ui, rows, true);

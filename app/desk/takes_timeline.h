@@ -24,6 +24,8 @@ class TakesTimeline {
   void draw_ruler(const Ui& ui, const Rows& rows);
   void draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows);
   void draw_chosen(const Ui& ui, const study::Texts& words, const Rows& rows);
+  static void draw_numbers(const Ui& ui, const study::Texts& words, const Rows& rows,
+                           const Box& band, const motion::LoopReview& loop);
   void draw_edge(const Ui& ui, const Rows& rows, bool last);
   void draw_overview(const Ui& ui, const Rows& rows);
   void move_edge(const study::WalkPlace& walk, bool last, double frame);

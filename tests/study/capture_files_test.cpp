@@ -35,6 +35,26 @@ TEST(CaptureFiles, SayTheirStylesByTheWordsInWhichTheyDiffer) {
   EXPECT_EQ(styles_of({"/x/angry walk.bvh"}), (Texts{"angry-walk"}));
 }
 
+TEST(CaptureFiles, OfSeveralSeriesInAHeapAreNamedWithinTheirOwn) {
+  const Texts files = {"/x/07_01-walk.bvh", "/x/set_walk_happy_001.bvh", "/x/set_walk_sad_001.bvh",
+                       "/y/set_walk_sad_001.bvh"};
+  EXPECT_EQ(styles_of(files), (Texts{"07-01-walk", "happy", "sad", "sad"}));
+  EXPECT_EQ(short_names(files),
+            (Texts{"07_01-walk", "happy_001", "sad_001", "set_walk_sad_001.bvh"}));
+  EXPECT_EQ(short_names({"/x/walk_1.bvh", "/x/walk_2.bvh"}), (Texts{"walk_1", "walk_2"}));
+}
+
+TEST(CaptureFiles, ShowTheLinesAroundOneThatIsWrong) {
+  const TestFolder folder;
+  write_file(folder.file("a.bvh"), "one\ntwo\nthree\tx 0123456789\n\nfive\n");
+  const std::vector<FileLine> lines = lines_around(folder.file("a.bvh"), 3, 9, 1, 8);
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines[0].text, "two");
+  EXPECT_EQ(lines[1].number, 3);
+  EXPECT_EQ(lines[1].text, "… e x 0123 …");
+  EXPECT_TRUE(lines_around(folder.file("missing.bvh"), 3, 0, 1, 8).empty());
+}
+
 TEST(CaptureFiles, LieBelowTheirCommonFolder) {
   EXPECT_EQ(common_folder({"/a/b/c.bvh", "/a/b/d/e.bvh"}), "/a/b");
   EXPECT_EQ(common_folder({"/a/b/c.bvh", "/a/bc/e.bvh"}), "/a");
