@@ -56,7 +56,9 @@ std::optional<double> draw_cut(const Ui& ui, const ModelEditor& editor, const Bo
   const double cut = moved ? *moved * editor.top() : editor.cut();
   const float x = std::round(box.x + box.width * static_cast<float>(cut / editor.top()));
   const float dash = ui.layout.size(7);
-  for (float y = box.y; y < box.bottom(); y += 2 * dash) {
+  const int dashes = static_cast<int>(std::ceil(box.height / (2 * dash)));
+  for (int k = 0; k < dashes; ++k) {
+    const float y = box.y + 2 * dash * static_cast<float>(k);
     fill({x, y, ui.layout.size(2), std::min(dash, box.bottom() - y)}, ui.look.palette.text);
   }
   return moved ? std::optional(cut) : std::nullopt;
@@ -70,7 +72,7 @@ Box tree_row(const Box& box, double row, float high) {
 
 ClusterPlace place_of_cluster(const Ui& ui, const ModelEditor& editor, int cluster,
                               const Box& names, float row) {
-  double first = static_cast<double>(editor.leaves().size());
+  auto first = static_cast<double>(editor.leaves().size());
   double last = 0;
   for (std::size_t i = 0; i < editor.leaves().size(); ++i) {
     if (editor.cluster()[i] != cluster) continue;

@@ -100,7 +100,7 @@ std::vector<Group> grouped(const std::vector<TargetReport>& reports) {
 void warn_of_reach(const Group& group, std::size_t interface, Sentences& warnings) {
   const TargetReport& first = *group.front();
   const auto out = std::count_if(group.begin(), group.end(), [&](const TargetReport* report) {
-    return report->reaches[interface].reach.best >= *report->threshold_m;
+    return is_out_of_reach(*report, interface);
   });
   if (out == 0) return;
   const InterfaceReach& one = first.reaches[interface];
@@ -168,6 +168,20 @@ std::vector<TargetReport> report_targets(
     if (!goes_on(reports, cases.size())) break;
   }
   return reports;
+}
+
+bool is_out_of_reach(const TargetReport& report, std::size_t interface) {
+  return report.threshold_m && report.reaches[interface].reach.best >= *report.threshold_m;
+}
+
+bool is_favoured(const TargetReport& report, std::size_t interface) {
+  if (!report.threshold_m) return false;
+  const Group alone = {&report};
+  const double found = share_of(alone, interface).found;
+  for (std::size_t i = 0; i < report.reaches.size(); ++i) {
+    if (found > fair_ratio * share_of(alone, i).at_most) return true;
+  }
+  return false;
 }
 
 std::vector<Problem> warnings_of(const std::string& file,

@@ -33,6 +33,11 @@ std::vector<TargetReport> report_targets(
     const study::StudyBundle& bundle,
     const std::function<bool(const std::vector<TargetReport>& done, std::size_t count)>& goes_on);
 
+// Can the interface (an index into `reaches`) not come below the threshold of the task?
+bool is_out_of_reach(const TargetReport& report, std::size_t interface);
+// Is the target met by chance far more often with this interface than with another one?
+bool is_favoured(const TargetReport& report, std::size_t interface);
+
 // What is legal but unwise. Targets that are drawn for each participant are one warning.
 std::vector<Problem> warnings_of(const std::string& file, const std::vector<TargetReport>& reports);
 

@@ -126,7 +126,7 @@ float EditDistances::draw_rows(const FormPass& pass, const Box& box) const {
   return row.y;
 }
 
-// Amber: out of reach.
+// Amber: out of reach, or met by chance.
 void EditDistances::draw_row(const FormPass& pass, const TargetReport& report,
                              const Box& row) const {
   const Ui& ui = pass.ui;
@@ -148,10 +148,11 @@ void EditDistances::draw_row(const FormPass& pass, const TargetReport& report,
               palette.text, fmt::format("{:.3f}", metres), Align::right);
   };
   if (!report.reaches.empty()) number(0, report.reaches.front().reach.start, false);
-  for (const InterfaceReach& one : report.reaches) {
+  for (std::size_t i = 0; i < report.reaches.size(); ++i) {
+    const InterfaceReach& one = report.reaches[i];
     const auto column = std::find(columns_.begin(), columns_.end(), one.interface);
-    const bool out = report.threshold_m && one.reach.best >= *report.threshold_m;
-    number(static_cast<std::size_t>(column - columns_.begin()) + 1, one.reach.best, out);
+    number(static_cast<std::size_t>(column - columns_.begin()) + 1, one.reach.best,
+           is_out_of_reach(report, i) || is_favoured(report, i));
   }
 }
 

@@ -174,45 +174,63 @@ void EditPage::draw_head(const Ui& ui, const study::Texts& words, const Box& box
   }
 }
 
-// A bar across the page about what needs an answer, or a look; the height that it takes.
+// What needs an answer, or a look; empty: nothing does.
+std::string EditPage::notice(const study::Texts& words) const {
+  if (saved_.failed) return saved_.words;
+  switch (draft_->disk()) {
+    case Disk::both:
+      return words("edit.notice.both");
+    case Disk::reread:
+      return words("edit.notice.reread");
+    case Disk::gone:
+      return words("edit.notice.gone");
+    case Disk::same:
+      break;
+  }
+  return draft_->is_toml() ? draft_->refusal() : words("edit.notice.no_toml");
+}
+
+// A bar across the page; the height that it takes.
 float EditPage::draw_notice(const Ui& ui, const study::Texts& words, const Box& box) {
+  const std::string text = notice(words);
+  if (text.empty()) return 0;
   const Palette& palette = ui.look.palette;
-  const Disk disk = draft_->disk();
-  const bool refused = !draft_->refusal().empty();
-  if (disk == Disk::same && draft_->is_toml() && !refused && !saved_.failed) return 0;
-  const std::string text = saved_.failed          ? saved_.words
-                           : disk == Disk::both   ? words("edit.notice.both")
-                           : disk == Disk::reread ? words("edit.notice.reread")
-                           : disk == Disk::gone   ? words("edit.notice.gone")
-                           : !draft_->is_toml()   ? words("edit.notice.no_toml")
-                                                  : draft_->refusal();
   const float high = ui.layout.size(48);
-  const bool alarm = saved_.failed || disk == Disk::both || !draft_->is_toml() || refused;
-  const Rgb mark = alarm ? palette.pilot : palette.created;
+  const Disk disk = draft_->disk();
+  const bool calm = !saved_.failed && (disk == Disk::reread || disk == Disk::gone);
+  const Rgb mark = calm ? palette.created : palette.pilot;
   fill({box.x, box.y, box.width, high}, 0.14f * mark + 0.86f * palette.on_colour);
   fill({box.x, box.y, ui.layout.size(6), high}, mark);
   const Box row = inside(ui, {box.x, box.y, box.width, high}, 6);
+  const float x = row.x + ui.layout.size(10);
+  const float end = draw_answers(ui, words, row);
+  draw_line(ui.look.fonts.text, {x, row.y, end - x - ui.layout.size(8), row.height}, palette.text,
+            text);
+  return high + ui.layout.size(8);
+}
+
+// What can be done about a notice; where the leftmost button begins, pixels.
+float EditPage::draw_answers(const Ui& ui, const study::Texts& words, const Box& row) {
   const float wide = ui.layout.size(200);
   Box place{row.right() - wide, row.y, wide, row.height};
-  if (disk == Disk::both) {
-    if (button(ui, "keep_mine", place, words("edit.keep_mine"), ButtonKind::outlined)) {
-      draft_->keep_mine();
-    }
+  const auto answer = [&](const char* target) {
+    return button(ui, target, place, words("edit." + std::string(target)), ButtonKind::outlined);
+  };
+  const bool both = draft_->disk() == Disk::both && !saved_.failed;
+  const bool told = saved_.failed || draft_->disk() == Disk::reread || !draft_->refusal().empty();
+  if (both) {
+    if (answer("keep_mine")) draft_->keep_mine();
     place.x -= wide + ui.layout.size(8);
-    if (button(ui, "take_the_files", place, words("edit.take_the_files"), ButtonKind::outlined)) {
-      draft_->take_the_files();
-    }
-  } else if (disk == Disk::reread || refused || saved_.failed) {
-    if (button(ui, "seen", place, words("edit.seen"), ButtonKind::outlined)) {
-      draft_->seen();
-      draft_->forget_refusal();
-      saved_ = {};
-    }
+    if (answer("take_the_files")) draft_->take_the_files();
+  } else if (told) {
+    if (!answer("seen")) return place.x;
+    draft_->seen();
+    draft_->forget_refusal();
+    saved_ = {};
+  } else {
+    return row.right();
   }
-  const float x = row.x + ui.layout.size(10);
-  draw_line(ui.look.fonts.text, {x, row.y, place.x - x - ui.layout.size(8), row.height},
-            palette.text, text);
-  return high + ui.layout.size(8);
+  return place.x;
 }
 
 void EditPage::draw_right(const FormPass& pass, const Box& box) {

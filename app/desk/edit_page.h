@@ -48,7 +48,9 @@ class EditPage : public DeskPage {
   void read();
   void follow();
   void draw_head(const Ui& ui, const study::Texts& words, const Box& box);
+  std::string notice(const study::Texts& words) const;
   float draw_notice(const Ui& ui, const study::Texts& words, const Box& box);
+  float draw_answers(const Ui& ui, const study::Texts& words, const Box& row);
   void draw_right(const FormPass& pass, const Box& box);
   void draw_file(const FormPass& pass, const Box& box);
   void draw_motions(const FormPass& pass, const Box& box);

@@ -9,7 +9,6 @@
 namespace promenade::app {
 namespace {
 
-using study::TomlEdit;
 using study::TomlPath;
 using study::TomlValue;
 using Kind = TomlValue::Kind;

@@ -59,9 +59,12 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
   const int count = figures.bundle().space.set.size();
   const int columns = std::max(1, static_cast<int>((view.width - bar) / ui.layout.size(108)));
   const float width = std::floor((view.width - bar) / static_cast<float>(columns));
-  const float height = ui.layout.size(136);
   const int rows = (count + columns - 1) / columns;
+  // A few are larger.
+  const float height = std::floor(
+      std::clamp(view.height / static_cast<float>(rows), ui.layout.size(136), 1.7f * width));
   const std::vector<int>& by_name = figures.captions(pass.words("edit.language")).by_name;
+  go_by_key(ui, figures, by_name, columns);
   scrolled("walks", view, static_cast<float>(rows) * height, [&](const Box& inner) {
     for (int k = 0; k < count; ++k) {
       const Box tile{inner.x + static_cast<float>(k % columns) * width,
@@ -70,6 +73,26 @@ void EditWalks::draw(const FormPass& pass, const Box& box, EditFigures& figures)
     }
   });
   draw_foot(pass, {box.x, view.bottom(), box.width, foot});
+}
+
+void EditWalks::go_by_key(const Ui& ui, const EditFigures& figures, const std::vector<int>& order,
+                          int columns) {
+  const auto target = [&](int k) {
+    const auto walk = static_cast<std::size_t>(order[static_cast<std::size_t>(k)]);
+    return "walk/" + figures.bundle().space.set.cycles[walk].name;
+  };
+  int by = 0;
+  if (key_pressed(ImGuiKey_RightArrow)) by = 1;
+  if (key_pressed(ImGuiKey_LeftArrow)) by = -1;
+  if (key_pressed(ImGuiKey_DownArrow)) by = columns;
+  if (key_pressed(ImGuiKey_UpArrow)) by = -columns;
+  if (by == 0 || !ui.focus.on_first("press", "walk/")) return;
+  const int count = static_cast<int>(order.size());
+  for (int k = 0; k < count; ++k) {
+    if (!ui.focus.on("press", target(k))) continue;
+    if (k + by >= 0 && k + by < count) ui.focus.write_in("press", target(k + by));
+    return;
+  }
 }
 
 void EditWalks::draw_tile(const FormPass& pass, const Box& tile, const Box& view, int walk,
@@ -117,12 +140,18 @@ void EditWalks::draw_foot(const FormPass& pass, const Box& box) {
   const Box words{box.x, y, box.width - press - list - 2 * gap, high};
   if (chosen_.empty() || tasks.empty()) {
     draw_line(ui.look.fonts.text, {box.x, y, box.width, high}, ui.look.palette.quiet,
-              pass.words(tasks.empty() ? "edit.no_task" : "edit.choose_walk"));
+              tasks.empty()      ? pass.words("edit.no_task")
+              : hovered_.empty() ? pass.words("edit.choose_walk")
+                                 : hovered_);
     return;
   }
-  const bool other = !hovered_.empty() && hovered_ != chosen_;
-  draw_line(other ? ui.look.fonts.text : ui.look.fonts.bold, words,
-            other ? ui.look.palette.quiet : ui.look.palette.text, other ? hovered_ : chosen_);
+  draw_line(ui.look.fonts.bold, words, ui.look.palette.text, chosen_);
+  const float said =
+      std::min(text_width(ui.look.fonts.bold, chosen_), words.width) + ui.layout.size(16);
+  if (hovered_ != chosen_) {
+    draw_line(ui.look.fonts.text, {words.x + said, y, words.width - said, high},
+              ui.look.palette.quiet, hovered_);
+  }
   std::vector<std::string> names;
   for (const TargetTask& task : tasks) names.push_back(task.name);
   task_ = std::min(task_, tasks.size() - 1);

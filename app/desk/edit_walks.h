@@ -18,6 +18,9 @@ class EditWalks {
   const std::vector<std::string>& walking() const { return walking_; }
 
  private:
+  // The arrow keys go from tile to tile.
+  static void go_by_key(const Ui& ui, const EditFigures& figures, const std::vector<int>& order,
+                        int columns);
   void draw_tile(const FormPass& pass, const Box& tile, const Box& view, int walk,
                  EditFigures& figures);
   void draw_foot(const FormPass& pass, const Box& box);

@@ -43,6 +43,10 @@ TEST_F(EditMotions, LetsAWalkWalkUnderTheHandAndTheKeyboard) {
   EXPECT_TRUE(walks("sad"));
   tab_to("press", "walk/happy");
   EXPECT_TRUE(walks("happy"));
+  key(GLFW_KEY_RIGHT);
+  EXPECT_FALSE(walks("happy"));
+  key(GLFW_KEY_LEFT);
+  EXPECT_TRUE(walks("happy"));
 }
 
 TEST_F(EditMotions, PreviewsAnInterfaceWithItsControls) {
