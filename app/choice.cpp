@@ -70,7 +70,7 @@ std::optional<std::size_t> drop_down(const Ui& ui, std::string_view target, cons
                                      std::span<const std::string> options, std::size_t chosen) {
   fill(box, ui.look.palette.on_colour);
   const float inset = ui.layout.size(12);
-  const std::string_view shown = chosen < options.size() ? options[chosen] : std::string_view();
+  const std::string_view shown = chosen < options.size() ? options[chosen] : std::string_view("");
   draw_line(ui.look.fonts.text, {box.x + inset, box.y, box.width - 3 * inset, box.height},
             ui.look.palette.text, shown);
   draw_arrow(ui, box);

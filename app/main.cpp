@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   program.add_option("--studies", desk.studies, "the folder of the studies that the desk shows");
   program.add_option("--language", desk.language, "of the desk: en or ja")
       ->check(CLI::IsMember(app::desk_languages()));
+  program.add_option("--trace", desk.trace, "where its controls are, for tests")->group("");
   program.footer("Without a command the desk is opened: studies are made, run and watched there.");
   program.callback([&] {
     if (program.get_subcommands().empty()) app::open_desk(desk);

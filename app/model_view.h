@@ -29,16 +29,12 @@ class ModelView {
   void draw(const Ui& ui);
   void draw_head(const Ui& ui);
   void draw_tree(const Ui& ui);
-  void draw_leaves(const Ui& ui, const Box& box);
-  void draw_merges(const Ui& ui, const Box& box);
-  void draw_cut(const Ui& ui, const Box& box);
   void draw_names(const Ui& ui, const Box& box);
   void draw_field(const Ui& ui, const Box& box);
   void draw_thresholds(const Ui& ui, const Box& box);
   void draw_table(const Ui& ui, const Box& box);
   void draw_foot(const Ui& ui);
   void save();
-  Box row_box(const Box& box, double row) const;
 
   ModelEditor& editor_;
   Gui& gui_;

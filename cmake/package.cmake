@@ -5,8 +5,6 @@ set(package_files ${PROJECT_SOURCE_DIR}/cmake/package)
 set(documents share/doc/promenade)
 
 install(TARGETS promenade RUNTIME DESTINATION bin)
-configure_file(${package_files}/start ${PROJECT_BINARY_DIR}/package/start @ONLY)
-install(PROGRAMS ${PROJECT_BINARY_DIR}/package/start DESTINATION libexec/promenade)
 install(FILES ${package_files}/promenade.desktop DESTINATION share/applications)
 install(FILES ${package_files}/promenade.svg DESTINATION share/icons/hicolor/scalable/apps)
 install(DIRECTORY configs DESTINATION share/promenade)
@@ -51,7 +49,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-ipafont-gothic, fonts-noto-core, \
 gnuplot-nox | gnuplot-qt | gnuplot-x11, libgl1-mesa-dri, \
-libxcursor1, libxi6, libxinerama1, libxrandr2, libxrender1, libxxf86vm1")
+libxcursor1, libxi6, libxinerama1, libxrandr2, libxrender1, libxxf86vm1, xdg-utils")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "r-base-core, r-cran-lme4, r-cran-ordinal, xvfb")
 
 # In a folder of its own: beside the build, CMake would make a target `package` that first builds

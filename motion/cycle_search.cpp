@@ -71,7 +71,7 @@ double wander_m(const Take& take, const CycleCandidate& cycle) {
 
 // Speed over ground, radians turned and so on only make sense for a walk.
 std::string trouble_of(const Take& take, const CycleCandidate& cycle,
-                       const SearchOptions& options) {
+                       const CycleSearchOptions& options) {
   const double seconds = cycle.length() * take.frame_time;
   const double leg = leg_length(take.skeleton, take.body);
   if (seconds < 0.5 || seconds > 4) return "last less than 0.5 or more than 4 seconds";
@@ -240,7 +240,7 @@ PoseGap pose_gap(const Take& take, double frame, double later) {
 }
 
 CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
-                        const SearchOptions& options) {
+                        const CycleSearchOptions& options) {
   std::map<std::string, int> troubles;
   CycleSearch search;
   std::vector<CycleCandidate>& found = search.candidates;
@@ -271,7 +271,7 @@ CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
   return search;
 }
 
-CycleSearch find_any_loops(const Take& take, const SearchOptions& options) {
+CycleSearch find_any_loops(const Take& take, const CycleSearchOptions& options) {
   LoopOptions wanted;
   wanted.threshold_m = options.most_loop_error_m;
   CycleSearch search;

@@ -22,7 +22,7 @@ struct CycleCandidate {
   double length() const { return keys.back() - keys.front(); }
 };
 
-struct SearchOptions {
+struct CycleSearchOptions {
   double most_turn = 0.45;          // radians in one cycle: it will be straightened
   double most_loop_error_m = 0.15;  // cycles that close worse are refused
 };
@@ -34,11 +34,11 @@ struct CycleSearch {
 };
 
 CycleSearch find_cycles(const Take& take, const FootContacts& contacts,
-                        const SearchOptions& options = {});
+                        const CycleSearchOptions& options = {});
 
 // Loops of any motion, walk or not, where the take is like itself a while later: two keytimes each,
 // first and last. Of loops that are as good the shorter comes first: twice around is a loop, too.
-CycleSearch find_any_loops(const Take& take, const SearchOptions& options = {});
+CycleSearch find_any_loops(const Take& take, const CycleSearchOptions& options = {});
 
 // The best loops that do not share frames, at most `count`, in the order of time.
 std::vector<CycleCandidate> best_apart(const std::vector<CycleCandidate>& all, int count);

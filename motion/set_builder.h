@@ -15,7 +15,7 @@ struct SetOptions {
   std::string name, credit;
   int cycles_per_take = 1;
   int phases = 60;
-  SearchOptions search;
+  CycleSearchOptions search;
   FigureOptions figure;
   std::string recipe;    // the file that asks for takes and cycles, for messages; may be empty
   std::string skeleton;  // label of the take whose bones the set has; empty: the mean of all

@@ -124,13 +124,13 @@ void migrate_file(Database& database) {
   }
 }
 
-Database open_log(const std::string& file) {
+Database open_log(const std::string& file, int wait_ms) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw InputError(file, "does not exist");
   if (std::filesystem::is_directory(file, error)) {
     throw InputError(file, "is a folder; name the .db file of a study");
   }
-  Database database(file, Database::Mode::read_only);
+  Database database(file, Database::Mode::read_only, wait_ms);
   check_database(database);
   try {
     return version_of(database) == schema_version ? std::move(database)

@@ -20,6 +20,6 @@ void migrate_file(Database& database);
 // To read, with the tables of this version: the file itself, opened read-only, or a copy of
 // an older one in memory. Throws InputError when there is none, it is no database of
 // Promenade, of a newer version, or damaged.
-Database open_log(const std::string& file);
+Database open_log(const std::string& file, int wait_ms = 2000);
 
 }  // namespace promenade::study

@@ -89,7 +89,7 @@ bool DatabaseError::about_content() const {
          code == SQLITE_CONSTRAINT;
 }
 
-Database::Database(const std::string& file, Mode mode) : file_(file) {
+Database::Database(const std::string& file, Mode mode, int wait_ms) : file_(file) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(file, ignored);
   if (std::filesystem::is_fifo(status) || std::filesystem::is_character_file(status)) {
@@ -105,7 +105,7 @@ Database::Database(const std::string& file, Mode mode) : file_(file) {
     sqlite3_close_v2(handle_);
     fail(file, code, message.c_str());
   }
-  sqlite3_busy_timeout(handle_, 2000);
+  sqlite3_busy_timeout(handle_, wait_ms);
   const std::string wal = file + "-wal";
   if (mode != Mode::read_only || !std::filesystem::exists(wal, ignored)) return;
   if (can_read_wal(handle_)) return;

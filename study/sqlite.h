@@ -29,7 +29,8 @@ class Database {
  public:
   // memory: an empty one that is nowhere on the disk, under the name of a file.
   enum class Mode { read_only, read_write, create, memory };
-  Database(const std::string& file, Mode mode);  // ":memory:" in tests
+  // ":memory:" in tests. `wait_ms`: for whoever holds a lock.
+  Database(const std::string& file, Mode mode, int wait_ms = 2000);
   ~Database();
   Database(Database&& other) noexcept;
   Database& operator=(Database&&) = delete;

@@ -126,9 +126,9 @@ TomlValue toml_texts(const std::vector<std::string>& texts) {
   return value;
 }
 
-TomlValue toml_table(std::vector<std::pair<std::string, TomlValue>> entries) {
+TomlValue toml_table(const std::vector<std::pair<std::string, TomlValue>>& entries) {
   TomlValue value = of_kind(Kind::table);
-  for (auto& [key, entry] : entries) value.entries.push_back({key, {}, std::move(entry)});
+  for (const auto& [key, entry] : entries) value.entries.push_back({key, {}, entry});
   return value;
 }
 

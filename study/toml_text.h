@@ -14,7 +14,7 @@ TomlValue toml_number(double number);  // a whole one becomes a whole number: 45
 TomlValue toml_boolean(bool truth);
 TomlValue toml_array(std::vector<TomlValue> elements);
 TomlValue toml_texts(const std::vector<std::string>& texts);
-TomlValue toml_table(std::vector<std::pair<std::string, TomlValue>> entries);
+TomlValue toml_table(const std::vector<std::pair<std::string, TomlValue>>& entries);
 
 // A text in its quotes, on one line.
 std::string toml_quoted(std::string_view text);

@@ -18,6 +18,7 @@ namespace promenade::study {
 namespace {
 
 constexpr int timed_people = 3;
+constexpr int longest_wait_ms = 200;
 constexpr int listed_h = 12;  // since the end of a session
 
 std::int64_t nanoseconds(const timespec& time) {
@@ -175,8 +176,7 @@ void Watch::refresh(const std::string& now_utc) {
 }
 
 void Watch::read(const std::string& now_utc) {
-  Database database = open_log(file_);
-  database.exec("PRAGMA busy_timeout = 200");
+  Database database = open_log(file_, longest_wait_ms);
   read_study(database);
   database.exec("BEGIN");  // what is read from here on belongs together
   read_sessions(database, now_utc);

@@ -1,39 +1,16 @@
-// What `check` tells of the targets of a study: how far they are, what each interface can do
-// about them, and what is unfair.
+// What `check` tells of the targets of a study, and how it is printed.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "app/print.h"
-#include "study/reach_models.h"
+#include "app/target_reports.h"
 
 namespace promenade::app {
 
-struct InterfaceReach {
-  std::string interface;
-  study::Reach reach;
-};
-
-// One target of a task with a target motion, and the interfaces of that task. A target that is
-// drawn for each participant is judged by what the first few of them get.
-struct TargetReport {
-  std::string task, target;
-  bool practice = false;
-  std::optional<int> sequence;  // of the participant whose draw it is; nothing: the same for all
-  std::string start;            // "average", or the task whose guess the trials begin from
-  Place place;
-  std::optional<double> threshold_m;
-  double judged_by_m = 0;  // the threshold, or the automatic one
-  std::vector<InterfaceReach> reaches;
-};
-
 // Throws OutsideError when it is interrupted: thousands of targets take minutes.
 std::vector<TargetReport> report_targets(const study::StudyBundle& bundle);
-
-// What is legal but unwise. Targets that are drawn for each participant are one warning.
-std::vector<Problem> warnings_of(const std::string& file, const std::vector<TargetReport>& reports);
-
 Json to_json(const TargetReport& report);
 std::string targets_text(const std::vector<TargetReport>& reports);
 

@@ -1,9 +1,13 @@
 #include "app/desk/desk.h"
 
-#include <fmt/format.h>
+#include <algorithm>
+#include <filesystem>
 
 #include "app/desk/desk_foot.h"
+#include "app/desk/edit_page.h"
 #include "app/desk/pages.h"
+#include "app/desk/takes_page.h"
+#include "app/desk/watch_page.h"
 #include "app/desk/words.h"
 
 namespace promenade::app {
@@ -28,6 +32,7 @@ Desk::Desk(DeskSetting setting, InputQueue& queue)
       services_{.jobs = jobs_,
                 .shelf = shelf_,
                 .displays = setting_.displays,
+                .display = setting_.displays.size() > 1 ? std::size_t{1} : 0,
                 .open = [this](const study::StudyPlace& study) { open(study); },
                 .go = [this](DeskPlace place) { go(place); },
                 .show = setting_.show},
@@ -77,10 +82,27 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
     case DeskPlace::takes:
       return make_takes_page(services_);
     case DeskPlace::edit:
+      return std::make_unique<EditPage>(study_->file());
     case DeskPlace::watch:
-      break;
+      return std::make_unique<WatchPage>(
+          study_->sessions(),
+          [this, study = *study_](const study::WatchedSession& one) { resume(study, one); });
   }
-  return make_studies_page(services_);
+  return nullptr;
+}
+
+// The first page of the session offers to go on where it stood.
+void Desk::resume(const study::StudyPlace& study, const study::WatchedSession& session) {
+  std::vector<std::string> command{"run",       study.file(),   "--db", study.sessions(),
+                                   "--station", session.station};
+  const std::vector<std::string> display =
+      session.pilot ? std::vector<std::string>{"--windowed"} : services_.display_options();
+  command.insert(command.end(), display.begin(), display.end());
+  if (session.pilot) command.push_back("--pilot");
+  if (!session.pilot && std::filesystem::exists(study.roster())) {
+    command.insert(command.end(), {"--roster", study.roster()});
+  }
+  jobs_.start(words_.at(language_)("shell.resuming"), command, {}, JobKind::session);
 }
 
 void Desk::advance(std::int64_t now_us) {
@@ -113,8 +135,46 @@ void Desk::draw(const Ui& ui) {
   const DeskJob* const job = jobs_.shown();
   const float foot = job != nullptr || !jobs_.trouble().empty() ? ui.layout.size(48) : 0;
   draw_tabs(ui, {0, 0, size.x, head});
-  page().draw(ui, words_.at(language_), {0, head, size.x, size.y - head - foot});
+  const float notice = draw_unsaved(ui, {0, head, size.x, ui.layout.size(48)});
+  const float top = head + notice;
+  page().draw(ui, words_.at(language_), {0, top, size.x, size.y - top - foot});
   if (foot > 0) draw_desk_foot(ui, words_.at(language_), jobs_, {0, size.y - foot, size.x, foot});
+}
+
+DeskPage* Desk::edit_page() {
+  if (place_ < first_of_study) return nullptr;
+  return room().pages[static_cast<std::size_t>(DeskPlace::edit)].get();
+}
+
+float Desk::draw_unsaved(const Ui& ui, const Box& box) {
+  DeskPage* const edit = edit_page();
+  if (edit == nullptr || !edit->unsaved()) {
+    asked_to_close_ = false;
+    return 0;
+  }
+  if (place_ == DeskPlace::edit && !asked_to_close_) return 0;
+  const study::Texts& words = words_.at(language_);
+  fill(box, ui.look.palette.known);
+  const float inset = ui.layout.size(16);
+  const float wide = ui.layout.size(140);
+  const float edge = ui.layout.size(5);
+  draw_line(ui.look.fonts.text, {box.x + inset, box.y, box.width - wide - 3 * inset, box.height},
+            ui.look.palette.text, words(asked_to_close_ ? "shell.close_unsaved" : "shell.unsaved"));
+  const Box save{box.right() - wide - inset, box.y + edge, wide, box.height - 2 * edge};
+  if (button(ui, "save_study", save, words("shell.save"), ButtonKind::outlined)) edit->save();
+  return box.height;
+}
+
+bool Desk::may_close() {
+  if (asked_to_close_) return true;
+  for (auto& [folder, room] : rooms_) {
+    const auto& edit = room.pages[static_cast<std::size_t>(DeskPlace::edit)];
+    if (!edit || !edit->unsaved()) continue;
+    open(room.study->place());
+    asked_to_close_ = true;
+    return false;
+  }
+  return true;
 }
 
 // Ctrl and a number: the places from left to right.

@@ -14,6 +14,7 @@
 #include "app/desk/page.h"
 #include "app/desk/services.h"
 #include "app/tool_page.h"
+#include "study/watch.h"
 
 namespace promenade::app {
 
@@ -42,6 +43,9 @@ class Desk {
   DeskPlace place() const { return place_; }
   // That is open here; null: at the places without one.
   const OpenStudy* study() { return room().study.get(); }
+  // The window is to be closed. False: a study has changes that are not saved, and its page is
+  // open now; asked again, they are given up.
+  bool may_close();
   // Figures walk, or something waits to be shown.
   bool moves() const;
   // A person is taking part at this machine, or frames are measured: leave it the machine.
@@ -62,9 +66,13 @@ class Desk {
   Room& room();
   DeskPage& page();
   std::unique_ptr<DeskPage> make_page(DeskPlace place);
+  void resume(const study::StudyPlace& study, const study::WatchedSession& session);
   void draw(const Ui& ui);
   void draw_tabs(const Ui& ui, const Box& bar);
   void draw_tab(const Ui& ui, DeskPlace place, Box& left);
+  // A line that says so where a study runs as it is on the disk; returns its height.
+  float draw_unsaved(const Ui& ui, const Box& box);
+  DeskPage* edit_page();  // of this study; null: it was not opened
   void hear_keys();
   void change_language();
 
@@ -77,6 +85,7 @@ class Desk {
   DeskPlace place_ = DeskPlace::studies;
   std::optional<study::StudyPlace> study_;
   std::map<std::string, Room> rooms_;  // by the study's folder; "": those without a study
+  bool asked_to_close_ = false;
   ToolPage page_;
 };
 

@@ -1,6 +1,7 @@
 #include "app/desk/desk_window.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <spawn.h>
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include "app/print.h"
 #include "app/window/frame_loop.h"
 #include "app/window/growing_gui.h"
+#include "motion/files.h"
 #include "motion/problem.h"
 
 namespace promenade::app {
@@ -37,12 +39,25 @@ void show_with_system(const std::string& path) {
   if (error != 0) throw OutsideError(program + " is not installed; open " + path + " yourself");
 }
 
+// "KIND TARGET X Y WIDTH HEIGHT", divided by tabs, of all that is in sight.
+void write_trace(const std::string& file, const WidgetMap& widgets) {
+  std::string text;
+  for (std::size_t i = 0; i < widgets.size(); ++i) {
+    const Widget& one = widgets[i];
+    if (!one.visible()) continue;
+    text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", one.kind, one.target, one.box.x, one.box.y,
+                        one.box.width, one.box.height);
+  }
+  write_file(file, text);
+}
+
 // Drawn at the pace of the display while something moves or somebody works with it; a few times a
 // second else, and while a person takes part at this machine.
 class DeskWindow {
  public:
   explicit DeskWindow(const DeskWindowSetting& setting)
-      : window_({.title = "Promenade", .windowed = true}, queue_),
+      : trace_(setting.trace),
+        window_({.title = "Promenade", .windowed = true}, queue_),
         fonts_(make_palette(false)),
         desk_({.studies = setting.studies.empty() ? default_studies_folder() : setting.studies,
                .language = setting.language,
@@ -70,7 +85,13 @@ class DeskWindow {
   }
 
  private:
-  bool ended() const { return window_.closing() || interrupted(); }
+  bool ended() {
+    if (interrupted()) return true;
+    if (!window_.closing()) return false;
+    if (desk_.may_close()) return true;
+    window_.stay();
+    return false;
+  }
   bool lively() const {
     constexpr std::int64_t patience_us = 2'000'000;
     return !desk_.quiet() && (desk_.moves() || now_us_ - touched_us_ < patience_us);
@@ -87,8 +108,10 @@ class DeskWindow {
   void draw_screen() {
     desk_.frame(*gui_);
     fonts_.renderer().draw();
+    if (!trace_.empty()) write_trace(trace_, desk_.widgets());
   }
 
+  std::string trace_;
   InputQueue queue_;
   Window window_;
   GrowingGui fonts_;

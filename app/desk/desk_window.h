@@ -8,6 +8,8 @@ namespace promenade::app {
 struct DeskWindowSetting {
   std::string studies;          // the folder of them; empty: see default_studies_folder
   std::string language = "en";  // or "ja"
+  // Where what can be touched is written, a line for each: how a test finds it with a real mouse.
+  std::string trace;
 };
 
 // Returns when the window is closed. Throws OutsideError without a display.

@@ -11,7 +11,6 @@ namespace promenade::app {
 namespace {
 
 constexpr float line_height = 36;
-constexpr float page_height = 104;
 constexpr float tick_height = 32;
 constexpr float gap = 6;
 
@@ -49,9 +48,21 @@ void add_missing(const std::string& word, std::vector<std::string>& options) {
 }
 
 // "none", or "45 (standard)".
-std::string left_out(const FormPass& pass, const EditField& field) {
-  if (field.standard.empty()) return pass.words("edit.nothing");
-  return pass.words.with("edit.left_out", {{"value", field.standard}});
+std::string left_out(const FormPass& pass, const FormRow& row) {
+  std::string standard = row.field.standard;
+  if (standard == "@name") {
+    const study::TomlValue* item = study::value_at(pass.root(), study::parent_of(row.path));
+    standard = item != nullptr ? title_of(*item) : "";
+  }
+  if (standard.empty()) return pass.words("edit.nothing");
+  return pass.words.with("edit.left_out", {{"value", standard}});
+}
+
+// Of the box for one language.
+float words_height(const EditField& field) {
+  constexpr double lines = 4;
+  if (field.kind != FieldKind::page) return line_height;
+  return static_cast<float>(20 + 18 * (field.most > 0 ? field.most : lines));
 }
 
 std::vector<std::string> standard_of(const FormPass& pass, const FormRow& row) {
@@ -74,10 +85,10 @@ float EditControls::height(const FormPass& pass, const FormRow& row) const {
   if (row.field.kind == FieldKind::some) {
     std::vector<std::string> options = options_of(pass, row);
     for (const auto& one : shown_some(pass.root(), row.path, {})) add_missing(one, options);
-    high = std::max(line_height, static_cast<float>((options.size() + 1) / 2) * tick_height);
+    const std::size_t rows = (options.size() + 1) / 2;
+    high = std::max(line_height, static_cast<float>(rows) * tick_height);
   } else if (is_by_language(row.field.kind)) {
-    high = lines(pass.languages().size(),
-                 row.field.kind == FieldKind::page ? page_height : line_height);
+    high = lines(pass.languages().size(), words_height(row.field));
   } else if (takes_files(row.field)) {
     high = lines(2, line_height);
   }
@@ -106,80 +117,59 @@ std::pair<std::string, std::string> EditControls::stop_of(const FormPass& pass,
   return {"tick", target + "/" + (options.empty() ? "" : options.front())};
 }
 
+void EditControls::leave() {
+  for (auto& [target, field] : boxes_) field.hide();
+}
+
 bool EditControls::is_refused(const study::TomlPath& path) const {
   const auto found = boxes_.find(study::to_text(path));
-  return found != boxes_.end() && found->second.refused;
+  return found != boxes_.end() && found->second.refused();
 }
 
-// What the file says now, unless it is what was just written here.
-void EditControls::follow(const FormPass& pass, const Line& line, Written& written) {
-  const bool left = written.active && !written.draft.active;
-  written.active = written.draft.active;
-  if (left) pass.scene.draft.end_gesture();
-  const bool tidy =
-      !written.draft.active && !written.refused && written.draft.text.words() != line.shown;
-  if (!written.fresh && written.shown == line.shown && !tidy) return;
-  written.fresh = written.refused = false;
-  written.shown = line.shown;
-  written.draft.text.set(line.shown);
-  if (!written.draft.active) return;
-  // Undo, or a file that was read again, in the middle of writing.
-  ++written.generation;
-  written.draft.active = written.active = false;
-  pass.ui.focus.write_in("type", line.target);
+bool EditControls::write(const FormPass& pass, const Box& box, const WrittenField::Look& look) {
+  WrittenField& field = boxes_[look.target];
+  const bool changed = field.draw(pass.ui, box, look, pass.scene.now_us);
+  if (field.left()) pass.scene.draft.end_gesture();
+  return changed;
 }
 
-bool EditControls::write(const FormPass& pass, const Box& box, const Line& line,
-                         std::string& text) {
-  constexpr int longest_line = 400;
-  constexpr int longest_page = 8000;
-  Written& written = boxes_[line.target];
-  follow(pass, line, written);
-  ImGui::PushID(written.generation);
-  text_box(pass.ui, line.target, box, written.draft,
-           {.most = line.several ? longest_page : longest_line,
-            .several = line.several,
-            .hint = line.hint.c_str()},
-           pass.scene.now_us);
-  ImGui::PopID();
-  if (written.refused) frame(box, pass.ui.look.palette.alarm, pass.ui.layout.size(2));
-  if (!written.draft.changed) return false;
-  text = written.draft.text.words();
-  return true;
+template <typename Shown>
+void EditControls::take(const FormPass& pass, const std::string& target,
+                        const std::optional<Edits>& edits, const Shown& shown) {
+  if (edits && pass.scene.draft.change(*edits, target)) {
+    boxes_[target].accept(shown());
+  } else {
+    boxes_[target].refuse();
+  }
 }
 
-void EditControls::change(const FormPass& pass, const std::string& target,
-                          const std::optional<Edits>& edits, bool typed) {
-  if (!typed && edits && !edits->empty()) pass.scene.draft.end_gesture();
-  const bool done = edits && pass.scene.draft.change(*edits, typed ? target : "");
-  if (typed) boxes_[target].refused = !done;
+void EditControls::change(const FormPass& pass, const std::optional<Edits>& edits) {
+  if (edits && !edits->empty()) pass.scene.draft.change(*edits);
 }
 
 void EditControls::draw_text(const FormPass& pass, const FormRow& row, const Box& box) {
   const std::string target = study::to_text(row.path);
-  const std::string hint = row.field.needed ? "" : left_out(pass, row.field);
-  std::string text;
-  if (!write(pass, box, {target, shown_text(pass.root(), row.path, row.field), hint}, text)) return;
-  change(pass, target, edits_of_text(pass.root(), row.path, row.field, text), true);
-  boxes_[target].shown = shown_text(pass.root(), row.path, row.field);
+  const std::string hint = row.field.needed ? "" : left_out(pass, row);
+  const auto shown = [&] { return shown_text(pass.root(), row.path, row.field); };
+  if (!write(pass, box, {target, shown(), hint})) return;
+  take(pass, target, edits_of_text(pass.root(), row.path, row.field, boxes_[target].words()),
+       shown);
 }
 
 void EditControls::draw_words(const FormPass& pass, const FormRow& row, const Box& box) {
-  const bool several = row.field.kind == FieldKind::page;
-  const float high = pass.ui.layout.size(several ? page_height : line_height);
+  const bool spoken = row.field.kind == FieldKind::spoken;
+  const float high = pass.ui.layout.size(words_height(row.field));
   const float name = pass.ui.layout.size(28);
+  const std::string hint = row.field.needed ? "" : left_out(pass, row);
   Box line{box.x + name, box.y, box.width - name, high};
   for (const std::string& language : pass.languages()) {
     const std::string target = study::to_text(row.path) + "/" + language;
     app::draw_text(pass.ui.look.fonts.text, {box.x, line.y, name, pass.ui.layout.size(line_height)},
-              pass.ui.look.palette.quiet, language);
-    const std::string hint = row.field.needed ? "" : left_out(pass, row.field);
-    std::string text;
-    if (write(pass, line,
-              {target, app::shown_words(pass.root(), row.path, language), hint, several}, text)) {
-      const bool spoken = row.field.kind == FieldKind::spoken;
-      change(pass, target, edits_of_words(pass.root(), row.path, spoken, language, text), true);
-      boxes_[target].shown = app::shown_words(pass.root(), row.path, language);
+                   pass.ui.look.palette.quiet, language);
+    const auto shown = [&] { return app::shown_words(pass.root(), row.path, language); };
+    if (write(pass, line, {target, shown(), hint, row.field.kind == FieldKind::page})) {
+      take(pass, target,
+           edits_of_words(pass.root(), row.path, spoken, language, boxes_[target].words()), shown);
     }
     line.y += high + pass.ui.layout.size(gap);
   }
@@ -195,12 +185,12 @@ void EditControls::draw_choice(const FormPass& pass, const FormRow& row, const B
   auto chosen = static_cast<std::size_t>(found - options.begin()) + (optional ? 1 : 0);
   if (now.empty()) chosen = optional ? 0 : options.size();
   std::vector<std::string> labels = options;
-  if (optional) labels.insert(labels.begin(), left_out(pass, row.field));
+  if (optional) labels.insert(labels.begin(), left_out(pass, row));
   const Box line{box.x, box.y, box.width, pass.ui.layout.size(line_height)};
   if (const auto picked = drop_down(pass.ui, target, line, labels, chosen)) {
     const std::string word =
         optional ? (*picked == 0 ? "" : options[*picked - 1]) : options[*picked];
-    change(pass, target, edits_of_text(pass.root(), row.path, row.field, word), false);
+    change(pass, edits_of_text(pass.root(), row.path, row.field, word));
   }
   if (!takes_files(row.field)) return;
   FormRow text = row;
@@ -212,10 +202,10 @@ void EditControls::draw_flag(const FormPass& pass, const FormRow& row, const Box
   const std::string target = study::to_text(row.path);
   const std::string now = shown_text(pass.root(), row.path, row.field);
   const std::string value = now.empty() ? row.field.standard : now;
-  const std::string label = now.empty() ? left_out(pass, row.field) : pass.words("edit." + value);
+  const std::string label = now.empty() ? left_out(pass, row) : pass.words("edit." + value);
   if (!check_box(pass.ui, target, box, label, value == "true")) return;
   const std::string other = value == "true" ? "false" : "true";
-  change(pass, target, edits_of_text(pass.root(), row.path, row.field, other), false);
+  change(pass, edits_of_text(pass.root(), row.path, row.field, other));
 }
 
 void EditControls::draw_some(const FormPass& pass, const FormRow& row, const Box& box) {
@@ -226,12 +216,13 @@ void EditControls::draw_some(const FormPass& pass, const FormRow& row, const Box
   const float high = pass.ui.layout.size(tick_height);
   const float wide = 0.5f * box.width;
   for (std::size_t i = 0; i < options.size(); ++i) {
-    const Box one{box.x + static_cast<float>(i % 2) * wide,
-                  box.y + static_cast<float>(i / 2) * high, wide, high};
+    const std::size_t column = i % 2, line = i / 2;
+    const Box one{box.x + static_cast<float>(column) * wide,
+                  box.y + static_cast<float>(line) * high, wide, high};
     const bool on = std::find(now.begin(), now.end(), options[i]) != now.end();
     const std::string target = study::to_text(row.path) + "/" + options[i];
     if (check_box(pass.ui, target, one, options[i], on)) {
-      change(pass, target, edits_of_some(pass.root(), row.path, standard, options[i]), false);
+      change(pass, edits_of_some(pass.root(), row.path, standard, options[i]));
     }
   }
 }
@@ -250,7 +241,7 @@ void EditControls::draw_source(const FormPass& pass, const FormRow& row, const B
     return names.empty() ? std::string() : names.front();
   };
   const auto value = new_target(sources[*picked], first("@walks"), first("@stimuli"));
-  change(pass, target, Edits{study::set_value(row.path, value)}, false);
+  change(pass, Edits{study::set_value(row.path, value)});
 }
 
 }  // namespace promenade::app

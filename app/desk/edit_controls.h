@@ -9,7 +9,7 @@
 #include "app/desk/edit_rows.h"
 #include "app/desk/edit_values.h"
 #include "app/desk/study_check.h"
-#include "app/text_box.h"
+#include "app/desk/written_field.h"
 #include "study/study_draft.h"
 #include "study/texts.h"
 
@@ -39,29 +39,24 @@ class EditControls {
   // Pixels.
   float height(const FormPass& pass, const FormRow& row) const;
   void draw(const FormPass& pass, const FormRow& row, const Box& box);
+  // Nobody writes any more: the fields are hidden.
+  void leave();
+  // Other fields have these paths now.
+  void forget() { boxes_.clear(); }
   // What was written in a field is no value for it.
   bool is_refused(const study::TomlPath& path) const;
   // The kind of control that the keyboard comes to for a field, and its target.
   static std::pair<std::string, std::string> stop_of(const FormPass& pass, const FormRow& row);
 
  private:
-  struct Written {
-    Draft draft;
-    std::string shown;  // of the file, when it was looked at last
-    bool fresh = true;
-    bool active = false;  // in the frame before
-    bool refused = false;
-    int generation = 0;  // another one takes what is written out of Dear ImGui's hands
-  };
-  struct Line {
-    std::string target, shown, hint;
-    bool several = false;
-  };
-  // A box to write in; true: it was changed, and `text` is what it says now.
-  bool write(const FormPass& pass, const Box& box, const Line& line, std::string& text);
-  void follow(const FormPass& pass, const Line& line, Written& written);
-  void change(const FormPass& pass, const std::string& target, const std::optional<Edits>& edits,
-              bool typed);
+  // True: it was changed by hand.
+  bool write(const FormPass& pass, const Box& box, const WrittenField::Look& look);
+  // What was written; `shown` tells how the file has it now.
+  template <typename Shown>
+  void take(const FormPass& pass, const std::string& target, const std::optional<Edits>& edits,
+            const Shown& shown);
+  // A change by one press.
+  static void change(const FormPass& pass, const std::optional<Edits>& edits);
 
   void draw_text(const FormPass& pass, const FormRow& row, const Box& box);
   void draw_words(const FormPass& pass, const FormRow& row, const Box& box);
@@ -70,7 +65,7 @@ class EditControls {
   void draw_some(const FormPass& pass, const FormRow& row, const Box& box);
   void draw_source(const FormPass& pass, const FormRow& row, const Box& box);
 
-  std::map<std::string, Written, std::less<>> boxes_;  // by their targets
+  std::map<std::string, WrittenField, std::less<>> boxes_;  // by their targets
 };
 
 }  // namespace promenade::app

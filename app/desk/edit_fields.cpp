@@ -73,7 +73,7 @@ std::vector<EditSection> make_sections() {
 }
 
 Fields interface_fields() {
-  return {{"name", Kind::text, "", "", 0, 0, true}, {"type", Kind::pick, "", "@types"}};
+  return {{"name", Kind::text, "", "", 0, 0, true}, {"type", Kind::pick, "@name", "@types"}};
 }
 
 Fields task_fields() {
@@ -126,7 +126,7 @@ Fields questionnaire_fields() {
 
 Fields rating_fields() {
   return {{"item", Kind::text, "", "", 0, 0, true},
-          {"question", Kind::words, "", "", 0, 0, true},
+          {"question", Kind::page, "", "", 0, 2, true},
           {"low", Kind::words},
           {"high", Kind::words},
           {"points", Kind::whole, "7", "", 2, 11}};
@@ -241,12 +241,21 @@ bool is_shown(const EditField& field, const study::TomlValue& table) {
 
 std::size_t section_of(const study::TomlPath& path) {
   const std::vector<EditSection>& sections = edit_sections();
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    for (const EditField& field : sections[i].fields) {
-      if (study::begins_with(path, study::toml_path(field.key))) return i;
+  const auto find = [&](const auto& belongs) {
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+      for (const EditField& field : sections[i].fields) {
+        if (belongs(study::toml_path(field.key))) return i;
+      }
     }
-  }
-  return 0;
+    return sections.size();
+  };
+  const std::size_t of_value =
+      find([&](const study::TomlPath& key) { return study::begins_with(path, key); });
+  if (of_value < sections.size()) return of_value;
+  // A table as a whole, with keys in it that are fields.
+  const std::size_t of_table = find(
+      [&](const study::TomlPath& key) { return !path.empty() && study::begins_with(key, path); });
+  return of_table < sections.size() ? of_table : 0;
 }
 
 }  // namespace promenade::app

@@ -17,7 +17,7 @@ namespace promenade::app {
 enum class FieldKind {
   text,         // a line of text
   words,        // a line for each language of the study: "words", or { en = "words" }
-  page,         // the same over several lines
+  page,         // the same over several lines, `most` of them in sight
   spoken,       // the same, with the languages as keys of the table itself
   number,       // from `least` to `most`
   whole,        // a whole one
@@ -35,7 +35,8 @@ enum class FieldKind {
 struct EditField {
   std::string key;  // from the root, or from the table of its item; empty: the table itself
   FieldKind kind = FieldKind::text;
-  std::string standard = {};  // what holds when the key is left out; empty: nothing does
+  std::string standard = {};  // what holds when the key is left out; empty: nothing does; "@name":
+                              // the name of the item
   std::string choices = {};   // "a|b"; "@walks"; of a list the name of its items
   double least = 0, most = 0;
   bool needed = false;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr float row_height = 22;
 constexpr float number_width = 44;
+constexpr float continued = 20;  // a line that goes on is set in
 
 float step_of(const Ui& ui) { return ui.layout.size(row_height); }
 
@@ -93,16 +94,18 @@ void EditFileView::find_focus(const study::StudyDraft& draft, const study::TomlP
   focused_ = focused;
   if (focused.empty() || !span) return;
   first_ = study::line_at(draft.text(), span->begin);
+  if (moved_) chosen_ = first_;
   last_ = path == focused ? study::line_at(draft.text(), std::max(span->end, span->begin + 1) - 1)
                           : first_;
 }
 
 void EditFileView::bring_into_sight(const Ui& ui, float view_height) {
-  if (!moved_) return;
+  const int line = wanted_ > 0 ? wanted_ : moved_ ? first_ : 0;
   moved_ = false;
-  if (first_ == 0) return;
-  const auto row = std::find_if(rows_.begin(), rows_.end(),
-                                [this](const Row& one) { return one.line == first_; });
+  wanted_ = 0;
+  if (line == 0) return;
+  const auto row =
+      std::find_if(rows_.begin(), rows_.end(), [line](const Row& one) { return one.line == line; });
   const float y = static_cast<float>(row - rows_.begin()) * step_of(ui);
   const float top = ImGui::GetScrollY();
   const float edge = 2 * step_of(ui);
@@ -122,20 +125,22 @@ void EditFileView::draw_row(const Ui& ui, const std::string& text, const Row& ro
   const std::size_t middle = std::clamp(row.remark, row.begin, row.end);
   const std::string_view words = std::string_view(text).substr(row.begin, middle - row.begin);
   const std::string_view remark = std::string_view(text).substr(middle, row.end - middle);
-  Box place{box.x + numbers, box.y, box.width - numbers, box.height};
+  const float in = row.goes_on ? numbers + ui.layout.size(continued) : numbers;
+  Box place{box.x + in, box.y, box.width - in, box.height};
   draw_text(font, place, palette.text, words);
   place.x += text_width(font, words);
   draw_text(ui.look.fonts.text, place, palette.quiet, remark);
 }
 
-void EditFileView::scroll_by_key(const Ui& ui, float view_height) const {
+void EditFileView::choose_by_key(const Ui& ui, float view_height) {
   if (!ui.focus.on("press", "file")) return;
-  float by = 0;
-  if (key_pressed(ImGuiKey_DownArrow)) by = step_of(ui);
-  if (key_pressed(ImGuiKey_UpArrow)) by = -step_of(ui);
-  if (key_pressed(ImGuiKey_PageDown)) by = 0.8f * view_height;
-  if (key_pressed(ImGuiKey_PageUp)) by = -0.8f * view_height;
-  if (by != 0) ImGui::SetScrollY(ImGui::GetScrollY() + by);
+  const int page = std::max(1, static_cast<int>(0.8f * view_height / step_of(ui)));
+  int by = 0;
+  if (key_pressed(ImGuiKey_DownArrow)) by = 1;
+  if (key_pressed(ImGuiKey_UpArrow)) by = -1;
+  if (key_pressed(ImGuiKey_PageDown)) by = page;
+  if (key_pressed(ImGuiKey_PageUp)) by = -page;
+  if (by != 0) show(std::clamp(chosen_ + by, 1, std::max(1, lines_)));
 }
 
 std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study::StudyDraft& draft,
@@ -144,13 +149,13 @@ std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study:
   const Palette& palette = ui.look.palette;
   fill(box, palette.on_colour);
   const float bar = ImGui::GetStyle().ScrollbarSize;
-  lay_out(ui, draft, box.width - bar - ui.layout.size(number_width + 8));
+  lay_out(ui, draft, box.width - bar - ui.layout.size(number_width + continued + 4));
   find_focus(draft, focused);
   std::optional<int> pressed;
   const float step = step_of(ui);
   scrolled("file", box, static_cast<float>(rows_.size()) * step, [&](const Box& inner) {
+    choose_by_key(ui, box.height);
     bring_into_sight(ui, box.height);
-    scroll_by_key(ui, box.height);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       const Row& row = rows_[i];
       const Box line{inner.x, inner.y + static_cast<float>(i) * step, inner.width, step};
@@ -163,12 +168,16 @@ std::optional<int> EditFileView::draw(const Ui& ui, const Box& box, const study:
         fill({line.x, line.y, ui.layout.size(6), line.height}, mark);
       }
       draw_row(ui, draft.text(), row, line);
+      if (row.line == chosen_ && !row.goes_on) {
+        fill({line.x + ui.layout.size(number_width - 6), line.y, ui.layout.size(2), line.height},
+             palette.created);
+      }
     }
     const Box all{inner.x, inner.y, inner.width, std::max(inner.height, 1.0f)};
     if (pressed_area(ui, "press", "file", all) && ImGui::IsMouseDown(0)) {
       const float at = (ImGui::GetIO().MousePos.y - inner.y) / step;
       const auto row = std::min(static_cast<std::size_t>(std::max(at, 0.0f)), rows_.size() - 1);
-      if (!rows_.empty()) pressed = rows_[row].line;
+      if (!rows_.empty()) pressed = chosen_ = rows_[row].line;
     }
   });
   return pressed;

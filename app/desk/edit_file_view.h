@@ -18,6 +18,10 @@ class EditFileView {
   std::optional<int> draw(const Ui& ui, const Box& box, const study::StudyDraft& draft,
                           const std::vector<PlacedProblem>& problems,
                           const study::TomlPath& focused);
+  // Brings a line into sight, from 1, and chooses it.
+  void show(int line) { wanted_ = chosen_ = line; }
+  // The line that can be written in: that of the field, or one that was pressed.
+  int chosen() const { return chosen_; }
   // Lines that are marked as the field's, from 1; 0: none.
   int first_marked() const { return first_; }
 
@@ -36,13 +40,15 @@ class EditFileView {
   void find_focus(const study::StudyDraft& draft, const study::TomlPath& focused);
   void bring_into_sight(const Ui& ui, float view_height);
   void draw_row(const Ui& ui, const std::string& text, const Row& row, const Box& box) const;
-  void scroll_by_key(const Ui& ui, float view_height) const;
+  void choose_by_key(const Ui& ui, float view_height);
 
   std::vector<Row> rows_;
   int version_ = -1, lines_ = 0;
   float width_ = 0;
   int first_ = 0, last_ = 0;  // lines of the field
   study::TomlPath focused_;
+  int chosen_ = 1;
+  int wanted_ = 0;      // a line to be brought into sight; 0: none
   bool moved_ = false;  // another field: it is to be brought into sight
 };
 

@@ -23,6 +23,18 @@ const std::string& help_of(const FormPass& pass, const EditField& field) {
   return field.words.empty() ? field.own_help : pass.words("edit." + field.words + ".help");
 }
 
+// What an item is, beside its name: the kind of a task, when a questionnaire is asked.
+std::string summary_of(const FormPass& pass, const FormRow& row) {
+  const study::TomlValue* item = study::value_at(pass.root(), row.path);
+  for (const char* key : {"kind", "when", "type"}) {
+    const study::TomlValue* value = item != nullptr ? study::find_key(*item, key) : nullptr;
+    if (value != nullptr && value->text != row.title) return value->text;
+  }
+  if (row.field.choices != "target") return "";
+  const std::string source = shown_source(pass.root(), row.path);
+  return source == row.title ? "" : source;
+}
+
 bool has_control(const Ui& ui, const std::string& target) {
   for (const char* kind : {"type", "open", "tick", "press"}) {
     if (ui.focus.on(kind, target) || ui.focus.on_first(kind, target + "/")) return true;
@@ -37,14 +49,19 @@ const Rgb& colour_of(const Palette& palette, Severity severity) {
 }  // namespace
 
 void EditForm::go_to(const TomlPath& path) {
-  section_ = section_of(path);
-  unfold(path, open_);
+  reveal(path);
   wanted_ = path;
+}
+
+void EditForm::reveal(const TomlPath& path) {
+  if (section_of(path) != section_) show(section_of(path));
+  unfold(path, open_);
 }
 
 void EditForm::show(std::size_t section) {
   section_ = section;
   focused_.clear();
+  controls_.leave();
 }
 
 void EditForm::draw(const Ui& ui, const study::Texts& words, const Box& box,
@@ -171,7 +188,7 @@ void EditForm::note(const FormPass& pass, const FormRow& row, const Box& box) {
                        box.holds(mouse.x, mouse.y);
   if (focused) {
     focused_ = row.path;
-    if (!add) fill(box, pass.ui.look.palette.known);
+    if (!add && !item) fill(box, pass.ui.look.palette.known);
   }
   if ((!hovered && !focused) || help_hovered_) return;
   help_ = help_of(pass, row.field);
@@ -181,12 +198,13 @@ void EditForm::note(const FormPass& pass, const FormRow& row, const Box& box) {
 void EditForm::draw_label(const FormPass& pass, const FormRow& row, const Box& box) {
   const Palette& palette = pass.ui.look.palette;
   const float half = pass.ui.layout.size(22);
-  draw_line(pass.ui.look.fonts.text, {box.x, box.y, box.width, half}, palette.text,
-            label_of(pass, row.field));
-  if (row.field.words.empty()) return;  // its label is its key
-  const std::string key = row.path.empty() ? "" : study::last_key(row.path);
+  // The label of a parameter is its key, and the table itself has none.
+  const bool one_line = row.field.words.empty() || row.field.key.empty();
+  draw_line(pass.ui.look.fonts.text, {box.x, box.y, box.width, one_line ? 2 * half : half},
+            palette.text, label_of(pass, row.field));
+  if (one_line) return;
   draw_line(pass.ui.look.fonts.text, {box.x, box.y + half, box.width, half}, palette.quiet,
-            row.field.key.empty() ? "" : key);
+            study::last_key(row.path));
 }
 
 void EditForm::draw_field(const FormPass& pass, const FormRow& row, const Box& box) {
@@ -222,8 +240,12 @@ void EditForm::draw_item(const FormPass& pass, const FormRow& row, const Box& bo
   draw_arrow({title.x + pass.ui.layout.size(10), title.middle_y() - 0.5f * side, side, side},
              row.open ? Arrow::unfolded : Arrow::folded, palette.quiet, pass.ui.layout.size(2));
   const float inset = pass.ui.layout.size(34);
-  draw_line(pass.ui.look.fonts.bold, {title.x + inset, title.y, title.width - inset, high},
+  const float said = text_width(pass.ui.look.fonts.text, summary_of(pass, row));
+  draw_line(pass.ui.look.fonts.bold,
+            {title.x + inset, title.y, title.width - inset - said - pass.ui.layout.size(8), high},
             palette.text, row.title.empty() ? pass.words("edit.unnamed") : row.title);
+  const std::string summary = summary_of(pass, row);
+  draw_text(pass.ui.look.fonts.text, title, palette.quiet, summary, Align::right);
   draw_item_buttons(pass, row, {title.right(), line.y, buttons, high});
   const float edge = pass.ui.layout.size(6);
   draw_problems(pass, row, {box.x + edge, line.bottom(), box.width - 2 * edge, 0});
@@ -256,12 +278,18 @@ void EditForm::draw_item_buttons(const FormPass& pass, const FormRow& row, const
     return move(row.index + 1);
   }
   if (!icon_button(pass.ui, "press", "remove/" + path, cell(2), Icon::close)) return;
-  if (!pass.scene.draft.change(study::remove_value(row.path))) return;
-  // Those behind it move up.
-  for (std::size_t i = row.index; i + 1 < row.count; ++i) move_open(list, i, i + 1);
+  if (pass.scene.draft.change(study::remove_value(row.path))) {
+    fold_removed(list, row.index, row.count);
+  }
+}
+
+// Those behind it move up.
+void EditForm::fold_removed(const TomlPath& list, std::size_t index, std::size_t count) {
+  for (std::size_t i = index; i + 1 < count; ++i) move_open(list, i, i + 1);
   std::erase_if(open_, [&](const std::string& one) {
-    return study::begins_with(study::toml_path(one), study::joined(list, row.count - 1));
+    return study::begins_with(study::toml_path(one), study::joined(list, count - 1));
   });
+  controls_.forget();
 }
 
 // What is unfolded in an item goes along with it; neighbours change places.
@@ -277,6 +305,7 @@ void EditForm::move_open(const TomlPath& list, std::size_t from, std::size_t to)
     moved.insert(study::to_text(path));
   }
   open_ = std::move(moved);
+  controls_.forget();
 }
 
 void EditForm::draw_add(const FormPass& pass, const FormRow& row, const Box& box) {

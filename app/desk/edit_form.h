@@ -14,6 +14,8 @@ class EditForm {
   void draw(const Ui& ui, const study::Texts& words, const Box& box, const FormScene& scene);
   // Shows the field of this value, and brings the keyboard to it.
   void go_to(const study::TomlPath& path);
+  // The same without the keyboard.
+  void reveal(const study::TomlPath& path);
   void show(std::size_t section);
   std::size_t section() const { return section_; }
   // The value that the keyboard works on; empty: none.
@@ -28,6 +30,7 @@ class EditForm {
   void draw_item(const FormPass& pass, const FormRow& row, const Box& box);
   void draw_item_buttons(const FormPass& pass, const FormRow& row, const Box& box);
   void draw_add(const FormPass& pass, const FormRow& row, const Box& box);
+  void fold_removed(const study::TomlPath& list, std::size_t index, std::size_t count);
   void draw_label(const FormPass& pass, const FormRow& row, const Box& box);
   void draw_help(const FormPass& pass, const Box& box) const;
   float draw_problems(const FormPass& pass, const FormRow& row, const Box& box) const;

@@ -57,12 +57,15 @@ EditOptions::EditOptions(std::string file, const study::InterfaceRegistry& regis
 }
 
 void EditOptions::find_files() {
-  std::vector<std::string> sets, instruments;
+  std::vector<std::string> sets;
   std::error_code error;
   const auto folder = std::filesystem::absolute(file_, error).parent_path();
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.path().extension() == ".set") sets.push_back(name);
+  // Beside the study, and where the desk makes them.
+  for (const std::string beside : {"", "../sets/"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder / beside, error)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.path().extension() == ".set") sets.push_back(beside + name);
+    }
   }
   std::sort(sets.begin(), sets.end());
   lists_["@sets"] = {"builtin:A", "builtin:B", "builtin:N"};
@@ -70,13 +73,13 @@ void EditOptions::find_files() {
   lists_["@instruments"] = study::embedded_names("instruments");
 }
 
-void EditOptions::follow(const TomlValue& root, const study::StudyBundle* bundle) {
+void EditOptions::follow(const TomlValue& root, const study::StudyBundle* motions) {
   lists_["@interfaces"] = names_in(root, "interface");
   lists_["@tasks"] = names_in(root, "task");
   lists_["@stimuli"] = names_in(root, "stimulus");
   lists_["@starts"] = guesses_in(root);
   find_files();
-  if (bundle != nullptr) lists_["@walks"] = walks_of(bundle->space.set);
+  if (motions != nullptr) lists_["@walks"] = walks_of(motions->space.set);
 }
 
 const std::vector<std::string>& EditOptions::of(std::string_view source) const {

@@ -16,9 +16,9 @@ class EditOptions {
   // `file`: the study's; files beside it can be chosen by name.
   EditOptions(std::string file, const study::InterfaceRegistry& registry);
 
-  // What the text of the file names itself, and the walks of the bundle that was read from it
-  // last; null: there was none yet.
-  void follow(const study::TomlValue& root, const study::StudyBundle* bundle);
+  // What the text of the file names itself, and the walks of its motion set; null leaves those
+  // that are there.
+  void follow(const study::TomlValue& root, const study::StudyBundle* motions);
 
   // By the name of a source, "@walks".
   const std::vector<std::string>& of(std::string_view source) const;

@@ -1,5 +1,6 @@
 #include "app/desk/edit_page.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/choice.h"
@@ -56,9 +57,18 @@ void EditPage::advance(std::int64_t now_us) {
   if (due && draft_->look()) saved_ = {};
   checker_->see(draft_->text(), now_us);
   follow();
+  figures_.advance(now_us);
+  if (side_ == Side::distances) distances_.follow(bundle_);
+  distances_.advance();
 }
 
-bool EditPage::moves() const { return checker_->working(); }
+bool EditPage::moves() const {
+  return checker_->working() || distances_.working() || preview_.working() || figures_.moves();
+}
+
+void EditPage::draw_figures(FigureRenderer& renderer, const Gui& gui) {
+  figures_.draw(renderer, gui.look().palette);
+}
 
 // What is derived from the text and from its check, once for each.
 void EditPage::follow() {
@@ -66,7 +76,9 @@ void EditPage::follow() {
   if (followed_ == draft_->version() && found == check_) return;
   followed_ = draft_->version();
   check_ = found;
-  options_.follow(draft_->root(), check_ ? check_->bundle.get() : nullptr);
+  if (check_ && check_->bundle) bundle_ = check_->bundle;
+  if (check_) figures_.follow(check_->motions);
+  options_.follow(draft_->root(), check_ ? check_->motions.get() : nullptr);
   shown_ = {file_, draft_->text()};
   for (const PlacedProblem& one : problems()) shown_.push_back(one.problem.message);
   for (const char* source : {"@walks", "@sets"}) {
@@ -87,12 +99,28 @@ void EditPage::save() {
 
 void EditPage::hear_keys() {
   if (control_and('S')) save();
-  const bool shift = ImGui::GetIO().KeyShift;
-  if (control_and('Z')) shift ? draft_->redo() : draft_->undo();
-  if (control_and('Y')) draft_->redo();
+  if (control_and('Z')) go_back(ImGui::GetIO().KeyShift);
+  if (control_and('Y')) go_back(true);
+}
+
+// Undo, or redo: `again`. What it changes comes into sight.
+void EditPage::go_back(bool again) {
+  const std::string before = draft_->text();
+  again ? draft_->redo() : draft_->undo();
+  const std::string& now = draft_->text();
+  if (now == before) return;
+  const auto at = std::mismatch(before.begin(), before.end(), now.begin(), now.end()).second;
+  const auto byte = static_cast<std::size_t>(at - now.begin());
+  file_view_.show(study::line_at(now, byte));
+  // What is gone stood in the text before.
+  const std::string& longer = now.size() < before.size() ? before : now;
+  const std::size_t changed = longer.find_first_not_of(" \t\r\n", byte);
+  const study::TomlPath path = study::path_at(study::scan_toml(longer), changed);
+  if (!path.empty()) form_.reveal(path);
 }
 
 void EditPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
+  figures_.clear();
   if (!draft_) return draw_trouble(ui, words, room);
   hear_keys();
   const float edge = ui.layout.size(16);
@@ -105,8 +133,14 @@ void EditPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
   const float half = 0.53f * left.width;
   const float between = ui.layout.size(16);
   const FormScene scene{*draft_, options_, problems(), interfaces(), now_us_};
-  form_.draw(ui, words, {left.x, left.y, half, left.height}, scene);
-  draw_right(ui, words,
+  const Box form{left.x, left.y, half, left.height};
+  if (draft_->is_toml()) {
+    form_.draw(ui, words, form, scene);
+  } else {
+    draw_paragraphs(ui.look.fonts.reading, form.x, form.y, form.width, ui.look.palette.quiet,
+                    words("edit.no_form"));
+  }
+  draw_right({ui, words, scene},
              {left.x + half + between, left.y, left.width - half - between, left.height});
 }
 
@@ -133,8 +167,8 @@ void EditPage::draw_head(const Ui& ui, const study::Texts& words, const Box& box
   draw_line(calm ? ui.look.fonts.text : ui.look.fonts.bold,
             {x, box.y + ui.layout.size(2), undo_box.x - x, box.height},
             calm ? palette.quiet : palette.steps.front(), words(key));
-  if (icon_button(ui, "press", "undo", undo_box, Icon::undo, draft_->can_undo())) draft_->undo();
-  if (icon_button(ui, "press", "redo", redo_box, Icon::redo, draft_->can_redo())) draft_->redo();
+  if (icon_button(ui, "press", "undo", undo_box, Icon::undo, draft_->can_undo())) go_back(false);
+  if (icon_button(ui, "press", "redo", redo_box, Icon::redo, draft_->can_redo())) go_back(true);
   if (button(ui, "save", save_box, words("edit.save"), ButtonKind::filled, !draft_->saved())) {
     save();
   }
@@ -181,18 +215,44 @@ float EditPage::draw_notice(const Ui& ui, const study::Texts& words, const Box& 
   return high + ui.layout.size(8);
 }
 
-void EditPage::draw_right(const Ui& ui, const study::Texts& words, const Box& box) {
-  const float list = ui.layout.size(128);
+void EditPage::draw_right(const FormPass& pass, const Box& box) {
+  const std::vector<std::string> sides = {pass.words("edit.file"), pass.words("edit.walks"),
+                                          pass.words("edit.preview"), pass.words("edit.distances")};
+  const Box tabs{box.x, box.y, box.width, pass.ui.layout.size(36)};
+  if (const auto picked =
+          choice_row(pass.ui, "side", tabs, sides, static_cast<std::size_t>(side_))) {
+    side_ = static_cast<Side>(*picked);
+  }
+  const float top = tabs.bottom() + pass.ui.layout.size(8);
+  const Box rest{box.x, top, box.width, box.bottom() - top};
+  if (side_ == Side::file) return draw_file(pass, rest);
+  if (figures_.ready()) return draw_motions(pass, rest);
+  draw_paragraphs(pass.ui.look.fonts.text, rest.x, rest.y, rest.width, pass.ui.look.palette.quiet,
+                  pass.words("edit.no_preview"));
+}
+
+void EditPage::draw_motions(const FormPass& pass, const Box& box) {
+  if (side_ == Side::walks) return walks_.draw(pass, box, figures_);
+  if (side_ == Side::preview) return preview_.draw(pass, box, bundle_, figures_);
+  distances_.draw(pass, box);
+}
+
+void EditPage::draw_file(const FormPass& pass, const Box& box) {
+  const Ui& ui = pass.ui;
+  const float list = ui.layout.size(problems().empty() ? 28 : 160);
   const float between = ui.layout.size(8);
-  const Box view{box.x, box.y, box.width, box.height - list - between};
+  const float high = ui.layout.size(36);
+  const Box view{box.x, box.y, box.width, box.height - list - high - 2 * between};
   if (const auto line = file_view_.draw(ui, view, *draft_, problems(), form_.focused())) {
     const std::size_t begin = study::byte_at(draft_->text(), {*line, 1});
     const std::size_t at = draft_->text().find_first_not_of(" \t", begin);
     const study::TomlPath path = study::path_at(draft_->spans(), at);
     if (!path.empty()) form_.go_to(path);
   }
-  const Box below{box.x, view.bottom() + between, box.width, list};
-  const auto pressed = draw_problem_list(ui, words, below, problems(), checker_->working());
+  const Box line_box{box.x, view.bottom() + between, box.width, high};
+  line_.draw(pass, line_box, file_view_.chosen());
+  const Box below{box.x, line_box.bottom() + between, box.width, list};
+  const auto pressed = draw_problem_list(ui, pass.words, below, problems(), checker_->working());
   if (pressed && problems()[*pressed].line > 0) form_.go_to(problems()[*pressed].path);
 }
 

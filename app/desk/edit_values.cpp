@@ -51,7 +51,7 @@ std::optional<TomlValue> shares_value(std::string_view text) {
     if (!share || name.empty()) return std::nullopt;
     entries.emplace_back(name, study::toml_number(*share));
   }
-  return study::toml_table(std::move(entries));
+  return study::toml_table(entries);
 }
 
 TomlValue list_value(std::string_view text) {
@@ -154,7 +154,7 @@ Edits edits_of_words(const TomlValue& root, const TomlPath& path, bool spoken,
   std::vector<std::pair<std::string, TomlValue>> words;
   if (value != nullptr) words.emplace_back("en", study::toml_text(value->text));
   words.emplace_back(language, study::toml_text(text));
-  return {study::set_value(path, study::toml_table(std::move(words)))};
+  return {study::set_value(path, study::toml_table(words))};
 }
 
 std::vector<std::string> shown_some(const TomlValue& root, const TomlPath& path,

@@ -32,6 +32,9 @@ class DeskPage {
   virtual void dropped(const std::vector<std::string>& paths);
   // The page moves by itself: figures walk, something runs.
   virtual bool moves() const { return false; }
+  // Something was changed here that is not on the disk yet; save() brings it there.
+  virtual bool unsaved() const { return false; }
+  virtual void save();
   // Names, notes and whatever else is shown that stands in no file of texts, for the characters of
   // the fonts. Asked before each frame, so it should cost nothing while nothing is new.
   virtual const std::vector<std::string>& shown_words() const;

@@ -45,9 +45,7 @@ void draw_light(const Ui& ui, const Box& box, Light light) {
 
 class RunPage : public DeskPage {
  public:
-  RunPage(DeskServices& services, OpenStudy& study) : services_(services), study_(study) {
-    if (services_.displays.size() > 1) display_ = 1;
-  }
+  RunPage(DeskServices& services, OpenStudy& study) : services_(services), study_(study) {}
 
   void advance(std::int64_t now_us) override { now_us_ = now_us; }
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
@@ -60,14 +58,11 @@ class RunPage : public DeskPage {
   void draw_language(const Ui& ui, const study::Texts& words, Column& column);
   void try_machine(const study::Texts& words);
   void start(const study::Texts& words);
-  // Where the participant's window opens: "--screen" and its number, or "--windowed".
-  void add_display(std::vector<std::string>& words) const;
   std::vector<ReadyLine> lines(const study::Texts& words) const;
 
   DeskServices& services_;
   OpenStudy& study_;
   AmendBox amend_;
-  std::size_t display_ = 0;   // of the displays; beyond them: a window
   std::size_t language_ = 0;  // of the study's, from 1; 0: the first page asks
   Draft code_, station_;
   std::string doctor_;  // what it printed; empty: it was not asked
@@ -131,8 +126,8 @@ void RunPage::draw_display(const Ui& ui, const study::Texts& words, Column& colu
   draw_text(ui.look.fonts.text, column.take(24, 4), ui.look.palette.quiet, words("run.display"));
   std::vector<std::string> names = services_.displays;
   names.push_back(words("run.window"));
-  if (const auto picked = drop_down(ui, "display", column.take(40, 16), names, display_)) {
-    display_ = *picked;
+  if (const auto picked = drop_down(ui, "display", column.take(40, 16), names, services_.display)) {
+    services_.display = *picked;
     doctor_.clear();
   }
 }
@@ -173,17 +168,10 @@ void RunPage::draw_start(const Ui& ui, const study::Texts& words, Column& column
                words(services_.jobs.session() ? "run.runs_already" : "run.start_says"));
 }
 
-void RunPage::add_display(std::vector<std::string>& words) const {
-  if (display_ < services_.displays.size()) {
-    words.insert(words.end(), {"--screen", std::to_string(display_ + 1)});
-  } else {
-    words.push_back("--windowed");
-  }
-}
-
 void RunPage::try_machine(const study::Texts& words) {
   std::vector<std::string> command{"doctor", "--json", "--db", study_.place().sessions()};
-  add_display(command);
+  const std::vector<std::string> display = services_.display_options();
+  command.insert(command.end(), display.begin(), display.end());
   services_.jobs.start(
       words("run.trying"), command,
       [this](const Job& job) {
@@ -196,7 +184,8 @@ void RunPage::try_machine(const study::Texts& words) {
 void RunPage::start(const study::Texts& words) {
   const study::StudyPlace& place = study_.place();
   std::vector<std::string> command{"run", place.file(), "--db", place.sessions()};
-  add_display(command);
+  const std::vector<std::string> display = services_.display_options();
+  command.insert(command.end(), display.begin(), display.end());
   const auto bundle = study_.bundle();
   if (language_ > 0 && language_ <= bundle->study.languages.size()) {
     command.insert(command.end(), {"--language", bundle->study.languages[language_ - 1]});

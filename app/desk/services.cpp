@@ -79,4 +79,9 @@ void DeskJobs::dismiss() {
   std::erase_if(jobs_, [](const DeskJob& one) { return !one.job->running() && one.told; });
 }
 
+std::vector<std::string> DeskServices::display_options() const {
+  if (display >= displays.size()) return {"--windowed"};
+  return {"--screen", std::to_string(display + 1)};
+}
+
 }  // namespace promenade::app

@@ -57,10 +57,15 @@ struct DeskServices {
   DeskJobs& jobs;
   study::StudyShelf& shelf;
   std::vector<std::string> displays;  // "1: DP-1, 1920 x 1080", for the participant's window
+  // Where participants' windows open: one of the displays; beyond them, in a window.
+  std::size_t display = 0;
   std::function<void(const study::StudyPlace& study)> open;  // to work on it
   std::function<void(DeskPlace place)> go;
   // With the program of the system that is meant for it: a report in the browser.
   std::function<void(const std::string& path)> show;
+
+  // The options of a command for that display: "--screen" and its number, or "--windowed".
+  std::vector<std::string> display_options() const;
 };
 
 }  // namespace promenade::app

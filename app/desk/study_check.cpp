@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "motion/problem.h"
+#include "motion/set_file.h"
+#include "study/identity.h"
 #include "study/toml_spans.h"
 
 namespace promenade::app {
@@ -47,21 +49,35 @@ std::vector<PlacedProblem> placed(const std::string& file, const std::string& te
   return found;
 }
 
+std::shared_ptr<const study::StudyBundle> motions_of(motion::MotionSet set) {
+  auto motions = std::make_shared<study::StudyBundle>();
+  motions->set_sha256 = study::sha256_hex(motion::to_bytes(set));
+  motions->space = motion::make_motion_space(std::move(set));
+  motions->bank = motion::make_pose_bank(motions->space);
+  return motions;
+}
+
 }  // namespace
 
 StudyCheck check_study(const std::string& file, const std::string& text,
                        const study::InterfaceRegistry& registry, const study::SetLoader& load_set) {
-  StudyCheck check{text, {}, {}};
+  StudyCheck check{text, {}, {}, {}};
+  std::optional<motion::MotionSet> set;
+  const study::SetLoader keep = [&](const std::string& name, const std::string& folder) {
+    set = load_set(name, folder);
+    return *set;
+  };
   try {
     auto bundle =
-        std::make_shared<study::StudyBundle>(study::read_study(file, text, registry, load_set));
+        std::make_shared<study::StudyBundle>(study::read_study(file, text, registry, keep));
     check.problems = placed(file, text, bundle->warnings);
-    check.bundle = std::move(bundle);
+    check.bundle = check.motions = std::move(bundle);
   } catch (const InputError& error) {
     check.problems = placed(file, text, error.problems());
   } catch (const std::exception& error) {  // a disk that fails, no memory: the window lives on
     check.problems = placed(file, text, {{file, 0, 0, error.what(), Severity::error}});
   }
+  if (!check.motions && set) check.motions = motions_of(std::move(*set));
   return check;
 }
 

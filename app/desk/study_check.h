@@ -25,7 +25,10 @@ struct PlacedProblem {
 // What a text comes to.
 struct StudyCheck {
   std::string text;
-  std::vector<PlacedProblem> problems;               // errors and warnings, by their places
+  std::vector<PlacedProblem> problems;  // errors and warnings, by their places
+  // The walks of its motion set, whatever else is wrong: a bundle in which only space, bank and
+  // set_sha256 can be relied on. Null: the set cannot be read.
+  std::shared_ptr<const study::StudyBundle> motions;
   std::shared_ptr<const study::StudyBundle> bundle;  // null: there are errors
   bool has_errors() const { return bundle == nullptr; }
 };

@@ -18,7 +18,7 @@ const Cycle& normal() { return walkers().cycles[0]; }
 
 int frames_of(const Cycle& cycle) { return cycle_clip(walkers(), cycle).frames() - 1; }
 
-CycleSearch search(const Take& take, const SearchOptions& options = {}) {
+CycleSearch search(const Take& take, const CycleSearchOptions& options = {}) {
   return find_cycles(take, find_contacts(take), options);
 }
 
@@ -65,7 +65,7 @@ TEST(FindCycles, RefusesACircleUnlessItIsAskedFor) {
   const CycleSearch refused = search(circle);
   EXPECT_TRUE(refused.candidates.empty());
   EXPECT_EQ(refused.refusal, "3 turn");
-  SearchOptions wide;
+  CycleSearchOptions wide;
   wide.most_turn = 1;
   const CycleSearch found = search(circle, wide);
   ASSERT_FALSE(found.candidates.empty());

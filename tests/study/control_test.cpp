@@ -73,7 +73,9 @@ TEST_F(ControlTest, ReadsNothingFromBeforeItBegan) {
   RequestReader reader(file());
   append(line_of(request("half")).substr(20));
   ask(file(), request("new"));
-  EXPECT_EQ(take(reader), Ids{"new"});
+  const RequestReader::News news = reader.take("ours", now);
+  EXPECT_EQ(ids(news.asked), Ids{"new"});
+  EXPECT_FALSE(news.broken) << "half of a line that is not for us";
 }
 
 TEST_F(ControlTest, ReadsWholeLinesAlone) {

@@ -135,6 +135,9 @@ TEST(TomlEdit, RemovesABlock) {
             "# All of them.\n\n# Between.\n\n[[i]]\nname = \"b\"\n[i.sub]\nx = 1\n\n"
             "# The end.\n\n[t]\n");
   EXPECT_EQ(removed_from("[s]\na = 1\n\n[[i]]\nb = 1\n", "i[0]"), "[s]\na = 1\n");
+  // A remark between two belongs to what it stands above.
+  EXPECT_EQ(removed_from("[[i]]\na = 1\n# Of b.\n[[i]]\nb = 1\n", "i[0]"),
+            "# Of b.\n[[i]]\nb = 1\n");
 }
 
 TEST(TomlEdit, InsertsABlockBesideTheOthers) {

@@ -248,12 +248,12 @@ TEST_F(WatchTest, ForgetsAFileThatWentAwayOrWasReplaced) {
 
 TEST_F(WatchTest, SaysThatAnotherProgramHoldsTheFile) {
   toy::make_station(file(), {"P01"});
-  Database holder(file(), Database::Mode::read_write);
-  holder.exec("PRAGMA journal_mode = DELETE; BEGIN EXCLUSIVE");
+  std::optional<Database> holder(std::in_place, file(), Database::Mode::read_write);
+  holder->exec("PRAGMA locking_mode = EXCLUSIVE; UPDATE session SET station = 'east'");
   const Watched& now = watch_.look(after(0));
   EXPECT_TRUE(now.is_locked) << now.problem;
   EXPECT_NE(now.problem, "");
-  holder.exec("COMMIT");
+  holder.reset();
   EXPECT_EQ(watch_.look(after(1)).problem, "");
 }
 

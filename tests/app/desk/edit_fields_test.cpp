@@ -60,8 +60,8 @@ TEST(EditFields, ShowWhatTheKindOfATaskNeedsAndWhatTheFileHas) {
   ASSERT_EQ(limit.key, "threshold");
   EXPECT_TRUE(is_shown(limit, study::toml_table({{"kind", toml_text("match")}})));
   EXPECT_FALSE(is_shown(limit, study::toml_table({{"kind", toml_text("find")}})));
-  EXPECT_TRUE(is_shown(limit, study::toml_table({{"kind", toml_text("find")},
-                                                 {"threshold", toml_text("auto")}})));
+  EXPECT_TRUE(is_shown(
+      limit, study::toml_table({{"kind", toml_text("find")}, {"threshold", toml_text("auto")}})));
 }
 
 }  // namespace

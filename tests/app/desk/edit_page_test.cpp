@@ -4,7 +4,13 @@
 namespace promenade::app {
 namespace {
 
-class Edit : public bench::EditBench {};
+class Edit : public bench::EditBench {
+ protected:
+  void choose_line(int line) {
+    tab_to("press", "file");
+    while (edit_->line() != line) key(edit_->line() < line ? GLFW_KEY_DOWN : GLFW_KEY_UP);
+  }
+};
 
 TEST_F(Edit, ChangesATextWhereItStands) {
   write("study.name", "runs");
@@ -73,8 +79,8 @@ TEST_F(Edit, AddsAnInterfaceThatIsNotThereYet) {
 TEST_F(Edit, ChangesASettingOfAnInterface) {
   click("section", "interfaces");
   press("item/interface[0]");
-  click("tick", "interface[0].search");
-  EXPECT_EQ(text().find("search = "), text().find("\"labels\"\n") + 9);
+  click("tick", "interface[0].sorted");
+  EXPECT_EQ(text().find("sorted = false"), text().find("\"labels\"\n") + 9);
 }
 
 TEST_F(Edit, ChangesATarget) {
@@ -154,6 +160,37 @@ TEST_F(Edit, GoesToTheFieldOfALineThatIsPressed) {
   push({.kind = UiEvent::Kind::button, .down = true});
   push({.kind = UiEvent::Kind::button, .down = false});
   EXPECT_EQ(study::to_text(edit_->form().focused()), "study.set");
+}
+
+TEST_F(Edit, WritesALineOfTheFileByHand) {
+  click("section", "tasks");
+  choose_line(3);
+  write("file_line", "name = \"by hand\"");
+  EXPECT_EQ(text(), text_);
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(text(), with("name = \"walks\"      # of the study", "name = \"by hand\""));
+}
+
+TEST_F(Edit, KeepsWhatWasWrittenInALineThatIsLeft) {
+  const Box file = widget("press", "file").view;
+  write("file_line", "# Another head.");
+  push({.kind = UiEvent::Kind::move, .x = file.x + 100, .y = file.y + 3.5 * 22});
+  push({.kind = UiEvent::Kind::button, .down = true});
+  push({.kind = UiEvent::Kind::button, .down = false});
+  EXPECT_EQ(text(), with("# A study to edit.", "# Another head."));
+}
+
+TEST_F(Edit, RepairsAFileThatCannotBeRead) {
+  write_file(file_, with("[study]", "[study"));
+  now_us_ += 1'000'000;
+  check();
+  EXPECT_FALSE(edit_->draft()->is_toml());
+  EXPECT_FALSE(has("section", "study"));
+  choose_line(2);
+  write("file_line", "[study]");
+  key(GLFW_KEY_ENTER);
+  EXPECT_EQ(text(), text_);
+  EXPECT_TRUE(has("section", "study"));
 }
 
 // Every control of a section, by the Tab key alone.
