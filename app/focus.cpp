@@ -25,6 +25,7 @@ void Focus::write_in(std::string_view kind, std::string_view target) {
 
 void Focus::begin(const WidgetMap& before) {
   arrived_ = escape_used_ = false;
+  if (passes_left_ > 0) --passes_left_;
   const std::size_t count = before.size();
   if (count == 0 || !key_pressed(ImGuiKey_Tab)) return;
   const bool back = ImGui::GetIO().KeyShift;

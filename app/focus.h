@@ -34,6 +34,10 @@ class Focus {
   void write_in(std::string_view kind, std::string_view target);
   bool goes_on() const { return goes_on_; }
   bool on_kind(std::string_view kind) const { return kind == kind_; }
+  // What is done takes a few passes of Dear ImGui to have its effect, and what was typed meanwhile
+  // is to find it: a ToolPage draws them at once, before it takes in more.
+  void settle() { passes_left_ = 4; }
+  bool settling() const { return passes_left_ > 0; }
   // A control had a use for the Escape key of this frame: no pause.
   void use_escape() { escape_used_ = true; }
   bool escape_used() const { return escape_used_; }
@@ -43,6 +47,7 @@ class Focus {
 
  private:
   std::string kind_, target_;
+  int passes_left_ = 0;
   bool ring_ = false, arrived_ = false, goes_on_ = false, escape_used_ = false;
 };
 

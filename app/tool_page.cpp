@@ -8,13 +8,13 @@ void ToolPage::frame(Gui& gui, const std::function<void(const Ui&)>& draw) {
   gui.use();
   constexpr int most = 64;  // whoever types faster waits for the next frame
   pass(gui, draw);
-  for (int k = 1; k < most && !queue_.empty(); ++k) pass(gui, draw);
+  for (int k = 1; k < most && (focus_.settling() || !queue_.empty()); ++k) pass(gui, draw);
 }
 
 void ToolPage::pass(const Gui& gui, const std::function<void(const Ui&)>& draw) {
   ImGuiIO& io = ImGui::GetIO();
   io.DeltaTime = 1.0f / 60;
-  queue_.feed(io);
+  if (!focus_.settling()) queue_.feed(io);
   ImGui::NewFrame();
   focus_.begin(widgets_);
   widgets_.clear();

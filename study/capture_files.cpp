@@ -64,43 +64,56 @@ bool is_number(const std::string& word) {
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
-// How many words these begin with together.
-std::size_t shared_words(const std::vector<const Words*>& all) {
-  if (all.size() < 2) return 0;
-  std::size_t shared = all.front()->size();
-  for (const Words* words : all) {
-    const auto end =
-        std::mismatch(all.front()->begin(), all.front()->end(), words->begin(), words->end());
-    shared = std::min(shared, static_cast<std::size_t>(end.first - all.front()->begin()));
-  }
-  return shared;
+// Without the number at the end.
+Words without_number(Words words) {
+  while (!words.empty() && is_number(words.back())) words.pop_back();
+  return words;
 }
 
-// The words of each file, and how many of them say nothing: those with which all files begin that
-// have the same first word. Captures of several series may lie in one heap.
-struct NamedFiles {
-  std::vector<Words> words;
-  std::vector<std::size_t> shared;
+// How many words these begin with together, or end with.
+std::size_t shared_words(const std::vector<Words>& all, bool at_end) {
+  if (all.size() < 2) return 0;
+  const auto word = [at_end](const Words& words, std::size_t k) {
+    return words[at_end ? words.size() - 1 - k : k];
+  };
+  for (std::size_t shared = 0;; ++shared) {
+    for (const Words& words : all) {
+      if (shared >= words.size() || word(words, shared) != word(all.front(), shared)) return shared;
+    }
+  }
+}
+
+// The words of each file, and how many of them say nothing: those with which all files begin, and
+// end, that have the same first word. Captures of several series may lie in one heap.
+struct NamedFile {
+  Words words;
+  std::size_t front = 0, back = 0;
 };
 
-NamedFiles words_of_all(const std::vector<std::string>& files) {
-  NamedFiles named;
-  for (const std::string& file : files) named.words.push_back(words_of(file));
-  std::map<std::string, std::vector<const Words*>> series;
-  for (const Words& words : named.words) {
-    if (!words.empty()) series[words.front()].push_back(&words);
+std::vector<NamedFile> named(const std::vector<std::string>& files) {
+  std::vector<NamedFile> all;
+  std::map<std::string, std::vector<Words>> whole, stems;  // by first word
+  for (const std::string& file : files) {
+    all.push_back({words_of(file)});
+    if (all.back().words.empty()) continue;
+    whole[all.back().words.front()].push_back(all.back().words);
+    stems[all.back().words.front()].push_back(without_number(all.back().words));
   }
-  for (const Words& words : named.words) {
-    named.shared.push_back(words.empty() ? 0 : shared_words(series[words.front()]));
+  for (NamedFile& file : all) {
+    if (file.words.empty()) continue;
+    file.front = shared_words(whole[file.words.front()], false);
+    file.back = shared_words(stems[file.words.front()], true);
   }
-  return named;
+  return all;
 }
 
-std::string style_of_words(Words words, std::size_t shared) {
-  words.erase(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(shared));
-  while (!words.empty() && is_number(words.back())) words.pop_back();
+// Without so many words in front and behind; "" if nothing with a letter is left.
+std::string style_of_words(const Words& all, std::size_t front, std::size_t back) {
+  const Words words = without_number(all);
   std::string style;
-  for (const std::string& word : words) style += (style.empty() ? "" : "-") + word;
+  for (std::size_t k = front; k + back < words.size(); ++k) {
+    style += (style.empty() ? "" : "-") + words[k];
+  }
   return is_number(style) ? "" : style;
 }
 
@@ -123,25 +136,25 @@ std::vector<std::string> capture_files(const std::vector<std::string>& paths) {
 }
 
 std::vector<std::string> styles_of(const std::vector<std::string>& files) {
-  const NamedFiles named = words_of_all(files);
   std::vector<std::string> styles;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    styles.push_back(style_of_words(named.words[i], named.shared[i]));
-    if (styles.back().empty()) styles.back() = style_of_words(named.words[i], 0);
-    if (styles.back().empty()) styles.back() = fs::path(files[i]).stem().string();
+  for (const NamedFile& file : named(files)) {
+    styles.push_back(style_of_words(file.words, file.front, file.back));
+    if (styles.back().empty()) styles.back() = style_of_words(file.words, file.front, 0);
+    if (styles.back().empty()) styles.back() = style_of_words(file.words, 0, 0);
+    if (styles.back().empty()) styles.back() = fs::path(files[styles.size() - 1]).stem().string();
   }
   return styles;
 }
 
 std::vector<std::string> short_names(const std::vector<std::string>& files) {
-  const NamedFiles named = words_of_all(files);
+  const std::vector<NamedFile> all = named(files);
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < files.size(); ++i) {
     const fs::path file(files[i]);
     const std::string stem = file.stem().string();
-    const std::size_t shared = named.shared[i];
-    names.push_back(stem.substr(shared < named.words[i].size() ? start_of_word(stem, shared) : 0));
+    const std::size_t shared = all[i].front;
+    names.push_back(stem.substr(shared < all[i].words.size() ? start_of_word(stem, shared) : 0));
     // A number alone says too little.
     if (is_number(names.back())) names.back() = stem;
     if (!seen.insert(names.back()).second) names.back() = file.filename().string();

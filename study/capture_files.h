@@ -10,9 +10,10 @@ namespace promenade::study {
 // captures (.bvh, .amc) in it and below, sorted by their paths. Absolute, each once.
 std::vector<std::string> capture_files(const std::vector<std::string>& paths);
 
-// What each shows, by its name: without the words that all files of its series begin with (those
-// with the same first word) and without the number at its end, so that "walk_happy_001.bvh" beside
-// "walk_sad_001.bvh" is "happy". Where no word is left, the name of the file without its ending.
+// What each shows, by its name: without the words that all files of its series (those with the same
+// first word) begin and end with, and without the number at its end, so that "walk_happy_001.bvh"
+// beside "walk_sad_001.bvh" is "happy". Where no word is left, the name of the file without its
+// ending.
 std::vector<std::string> styles_of(const std::vector<std::string>& files);
 
 // What tells them apart: the names without their endings and without the words that all of a series

@@ -69,8 +69,7 @@ std::string unit_name(double unit_m, const study::Texts& words) {
 std::vector<std::size_t> guessed_units(const study::Workshop& shop) {
   std::vector<std::size_t> guessed;
   for (std::size_t t = 0; t < shop.takes().size(); ++t) {
-    const TakeState state = shop.verdict(t).state;
-    if (is_guessed(shop, t) && state != TakeState::left_out) guessed.push_back(t);
+    if (is_guessed(shop, t) && shop.verdict(t).state == TakeState::used) guessed.push_back(t);
   }
   return guessed;
 }

@@ -20,7 +20,8 @@ std::string reason_of(const study::Workshop& shop, std::size_t take, const study
 // "cm", "inch"; "0.05644 m" for what has no name.
 std::string unit_name(double unit_m, const study::Texts& words);
 
-// Takes whose unit was guessed and not yet confirmed, and the guess that most of them share.
+// Takes of the set whose unit was guessed and not yet confirmed, and the guess that most of them
+// share.
 std::vector<std::size_t> guessed_units(const study::Workshop& shop);
 double common_guess(const study::Workshop& shop, const std::vector<std::size_t>& guessed);
 

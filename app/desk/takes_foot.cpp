@@ -23,6 +23,7 @@ std::string free_file(const std::string& folder) {
 }
 
 std::string counted(const study::Texts& words, const char* key, std::size_t count) {
+  if (count == 0) return words(std::string(key) + "_none");
   return count == 1 ? words(std::string(key) + "_one")
                     : words.with(std::string(key) + "_many", {{"count", std::to_string(count)}});
 }
@@ -115,7 +116,9 @@ void TakesFoot::draw_state(const Ui& ui, const study::Texts& words, const Box& b
   }
   std::string below;
   Rgb ink = palette.quiet;
-  if (made.done()) {
+  if (made.done() && work_.changed_since_made()) {
+    below = words.with("takes.changed", {{"file", made.file}});
+  } else if (made.done()) {
     below = words.with("takes.made", {{"file", made.file}});
     ink = palette.bookmark;
   } else if (made.stopped) {

@@ -89,8 +89,9 @@ void TakesList::draw_unit(const Ui& ui, const study::Texts& words, Box& left) {
   std::copy_if(guessed.begin(), guessed.end(), std::back_inserter(alike),
                [&](std::size_t t) { return work_.shop().review(t)->figure.unit_m == guess; });
   const auto leg = work_.shop().review(alike.front())->figure.leg_m;
-  const std::string text =
-      words.with("takes.unit_says", {{"leg", std::to_string(std::lround(100 * leg))}});
+  const std::string text = words.with(
+      alike.size() == 1 ? "takes.unit_says_one" : "takes.unit_says_many",
+      {{"count", std::to_string(alike.size())}, {"leg", std::to_string(std::lround(100 * leg))}});
   const Chip chip{words.with("takes.unit_guessed", {{"unit", unit_name(guess, words)}}),
                   ChipKind::doubt};
   const float in = ui.layout.size(8), line = ui.layout.size(28);

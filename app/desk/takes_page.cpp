@@ -103,16 +103,20 @@ void TakesPage::draw_middle(const Ui& ui, const study::Texts& words, const Box& 
   }
 }
 
-void TakesPage::draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box) const {
+void TakesPage::draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box) {
   const Palette& palette = ui.look.palette;
   const float wide = std::min(ui.layout.size(440), box.width);
-  const float head = ui.layout.size(40);
-  const float high =
-      head + paragraphs_height(ui.look.fonts.reading, wide, words("takes.drop_says"));
-  const float x = std::round(box.middle_x() - wide / 2), y = std::round(box.middle_y() - high / 2);
+  const float head = ui.layout.size(40), foot = ui.layout.size(48), gap = ui.layout.size(20);
+  const float text = paragraphs_height(ui.look.fonts.reading, wide, words("takes.drop_says"));
+  const float x = std::round(box.middle_x() - wide / 2);
+  const float y = std::round(box.middle_y() - (head + text + gap + foot) / 2);
   draw_text(ui.look.fonts.title, {x, y, wide, head}, palette.text, words("takes.drop"));
   draw_paragraphs(ui.look.fonts.reading, x, y + head, wide, palette.quiet,
                   words("takes.drop_says"));
+  const Box press{x, y + head + text + gap, ui.layout.size(200), foot};
+  if (button(ui, "browse_first", press, words("takes.drop_browse"), ButtonKind::filled)) {
+    list_.browse(true);
+  }
   app::frame(box, palette.line, ui.layout.size(2));
 }
 

@@ -31,7 +31,7 @@ class TakesPage : public DeskPage {
 
  private:
   void draw_middle(const Ui& ui, const study::Texts& words, const Box& box);
-  void draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box) const;
+  void draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_take(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_lines(const Ui& ui, const study::Texts& words, const Box& box);
   std::string facts_of(const study::Texts& words, std::size_t take) const;

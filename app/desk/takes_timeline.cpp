@@ -79,14 +79,19 @@ void TakesTimeline::follow(const motion::TakeReview& review) {
   shown_.to = shown_.from + most;
 }
 
-void TakesTimeline::zoom(const Box& box) {
+// By the wheel about the pointer, by keys about the middle.
+void TakesTimeline::zoom(const Ui& ui, const Box& box) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseWheel == 0 || !box.holds(io.MousePos.x, io.MousePos.y)) return;
+  float notches = box.holds(io.MousePos.x, io.MousePos.y) ? io.MouseWheel : 0;
+  const bool by_key = ui.focus.on_kind("edge") || ui.focus.on_kind("slide");
+  if (by_key && key_pressed(ImGuiKey_PageUp)) notches += 1;
+  if (by_key && key_pressed(ImGuiKey_PageDown)) notches -= 1;
+  if (notches == 0) return;
   const double last = std::max(review_->take.frames() - 1, 1);
-  const double share = (io.MousePos.x - box.x) / box.width;
+  const bool pointed = io.MouseWheel != 0;
+  const double share = pointed ? (io.MousePos.x - box.x) / box.width : 0.5;
   const double at = shown_.from + share * (shown_.to - shown_.from);
-  const double wide =
-      std::clamp((shown_.to - shown_.from) * std::pow(0.8, io.MouseWheel), 10.0, last);
+  const double wide = std::clamp((shown_.to - shown_.from) * std::pow(0.8, notches), 10.0, last);
   shown_.from = std::clamp(at - share * wide, 0.0, std::max(last - wide, 0.0));
   shown_.to = std::min(shown_.from + wide, last);
 }
@@ -115,7 +120,7 @@ void TakesTimeline::draw(const Ui& ui, const study::Texts& words, const Box& box
   rows.all = {rows.ruler.x, rows.ruler.y, rows.ruler.width, rows.loops.bottom() - rows.ruler.y};
   rows.frames = review->take.frames();
   rows.frame_time = review->take.frame_time;
-  zoom({box.x, box.y, box.width, box.height});
+  zoom(ui, rows.all);
   rows.shown = shown_;
   const auto name = [&](const Box& row, const char* key) {
     draw_line(ui.look.fonts.text, {box.x + in, row.y, label - in, row.height}, palette.quiet,
@@ -209,31 +214,63 @@ void TakesTimeline::draw_ruler(const Ui& ui, const Rows& rows) {
   fill({x - thick / 2, top, thick, rows.right.bottom() - top}, palette.text);
 }
 
+std::vector<std::vector<double>> TakesTimeline::loops_in_time() const {
+  std::vector<std::vector<double>> loops;
+  for (const motion::CycleCandidate& one : review_->search.candidates) loops.push_back(one.keys);
+  std::sort(loops.begin(), loops.end());
+  return loops;
+}
+
 void TakesTimeline::draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows) {
   const Palette& palette = ui.look.palette;
-  const std::optional<study::WalkPlace> walk = work_.walk();
-  const std::vector<double> chosen =
-      walk ? work_.shop().order_of(*walk).keys : std::vector<double>();
-  std::vector<const motion::CycleCandidate*> loops;
-  for (const motion::CycleCandidate& one : review_->search.candidates) loops.push_back(&one);
-  std::sort(loops.begin(), loops.end(),
-            [](const auto* a, const auto* b) { return a->first() < b->first(); });
-  const Rgb ground = 0.5f * (palette.known + palette.example);
+  const Rgb line = 0.5f * (palette.known + palette.example);
+  const std::vector<std::vector<double>> loops = loops_in_time();
+  const bool chosen = work_.walk().has_value();
+  // Before the loops, which lie below the ends.
+  const Edge first = chosen ? touch_edge(ui, rows, false) : Edge{};
+  const Edge last = chosen ? touch_edge(ui, rows, true) : Edge{};
   for (std::size_t k = 0; k < loops.size(); ++k) {
-    const motion::CycleCandidate& loop = *loops[k];
-    if (!rows.sees(loop.first(), loop.keys.back())) continue;
-    Box band = rows.between(rows.loops, loop.first(), loop.keys.back());
+    const std::vector<double>& keys = loops[k];
+    if (!rows.sees(keys.front(), keys.back())) continue;
+    Box band = rows.between(rows.loops, keys.front(), keys.back());
     band = {band.x + 1, band.y, std::max(band.width - 2, 1.0f), band.height};
-    if (!same_loop(loop.keys, chosen)) {
-      fill(band, palette.known);
-      frame(band, ground, ui.layout.size(1));
-    }
-    const bool pressed = pressed_area(ui, "loop", std::to_string(k), band, false);
-    if (!pressed || !walk || same_loop(loop.keys, chosen)) continue;
-    work_.shop().choose_loop(*walk, loop.keys);
-    work_.look_at(walk->take, walk->cycle);
+    fill(band, palette.known);
+    frame(band, line, ui.layout.size(1));
+    if (pressed_area(ui, "loop", std::to_string(k), band, false)) choose(keys);
   }
+  choose_by_key(ui, loops);
   draw_chosen(ui, words, rows);
+  if (first.seen) draw_edge(ui, rows, false, first.hot);
+  if (last.seen) draw_edge(ui, rows, true, last.hot);
+}
+
+// In the place of the chosen loop, unless another walk of the take has it.
+void TakesTimeline::choose(const std::vector<double>& keys) {
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  if (!walk) return;
+  study::Workshop& shop = work_.shop();
+  for (std::size_t c = 0; c < shop.takes()[walk->take].source.cycles.size(); ++c) {
+    if (same_loop(shop.order_of({walk->take, c}).keys, keys)) return work_.look_at(walk->take, c);
+  }
+  shop.choose_loop(*walk, keys);
+  work_.look_at(walk->take, walk->cycle);
+}
+
+// Whoever has an end in hand goes to the loop before or after with the arrows up and down.
+void TakesTimeline::choose_by_key(const Ui& ui, const std::vector<std::vector<double>>& loops) {
+  const std::optional<study::WalkPlace> walk = work_.walk();
+  if (!walk || !ui.focus.on_kind("edge")) return;
+  const double now = work_.shop().order_of(*walk).keys.front();
+  constexpr double same = 0.02;
+  if (key_pressed(ImGuiKey_DownArrow)) {
+    for (const std::vector<double>& keys : loops) {
+      if (keys.front() > now + same) return choose(keys);
+    }
+  } else if (key_pressed(ImGuiKey_UpArrow)) {
+    for (auto keys = loops.rbegin(); keys != loops.rend(); ++keys) {
+      if (keys->front() < now - same) return choose(*keys);
+    }
+  }
 }
 
 // Within the loop, on one line or on two; beside it where it is too short for them.
@@ -281,43 +318,41 @@ void TakesTimeline::draw_chosen(const Ui& ui, const study::Texts& words, const R
     if (!loop) continue;
     if (mine) draw_numbers(ui, words, rows, band, *loop);
   }
-  draw_edge(ui, rows, false);
-  draw_edge(ui, rows, true);
 }
 
-void TakesTimeline::move_edge(const study::WalkPlace& walk, bool last, double frame) {
-  work_.shop().move_end(walk, last, frame, gesture_);
-}
-
-void TakesTimeline::draw_edge(const Ui& ui, const Rows& rows, bool last) {
+// Where an end of the chosen loop can be taken; drawn later, over the loops.
+TakesTimeline::Edge TakesTimeline::touch_edge(const Ui& ui, const Rows& rows, bool last) {
   const study::WalkPlace walk = *work_.walk();
   const std::vector<double> keys = work_.shop().order_of(walk).keys;
   const double at = last ? keys.back() : keys.front();
-  if (!rows.sees(at, at)) return;
-  const Palette& palette = ui.look.palette;
-  const float x = std::round(rows.x(at));
-  const float half = ui.layout.size(8);
-  const Box grip{x - half, rows.loops.y - ui.layout.size(4), 2 * half,
-                 rows.loops.height + ui.layout.size(8)};
+  if (!rows.sees(at, at)) return {};
+  const float half = ui.layout.size(8), over = ui.layout.size(4);
+  const Box grip{std::round(rows.x(at)) - half, rows.loops.y - over, 2 * half,
+                 rows.loops.height + 2 * over};
   const auto scale = to_pixels(1 / rows.frames_per_pixel());
   const PlaneTouch touch =
       plane(ui, "edge", last ? "last" : "first", grip, {rows.x(0), grip.middle_y()}, {scale, 1});
-  const float thick = ui.layout.size(touch.hovered || touch.held ? 6 : 4);
-  fill({x - thick / 2, grip.y, thick, grip.height}, palette.text);
   const double hand =
       rows.shown.from + (ImGui::GetIO().MousePos.x - rows.all.x) * rows.frames_per_pixel();
   if (touch.pressed) {
     grip_ = at - hand;
     gesture_ = work_.new_gesture();
   } else if (touch.held && touch.moved.x() != 0) {
-    move_edge(walk, last, hand + grip_);
+    work_.shop().move_end(walk, last, hand + grip_, gesture_);
+  } else if (touch.focused && !touch.held) {
+    const int by =
+        (key_pressed(ImGuiKey_RightArrow) ? 1 : 0) - (key_pressed(ImGuiKey_LeftArrow) ? 1 : 0);
+    if (by != 0) work_.shop().move_end(walk, last, at + by, work_.new_gesture());
   }
-  if (!touch.focused || touch.held) return;
-  const int by =
-      (key_pressed(ImGuiKey_RightArrow) ? 1 : 0) - (key_pressed(ImGuiKey_LeftArrow) ? 1 : 0);
-  if (by == 0) return;
-  gesture_ = work_.new_gesture();
-  move_edge(walk, last, at + by);
+  return {true, touch.hovered || touch.held};
+}
+
+void TakesTimeline::draw_edge(const Ui& ui, const Rows& rows, bool last, bool hot) const {
+  const std::vector<double> keys = work_.shop().order_of(*work_.walk()).keys;
+  const float x = std::round(rows.x(last ? keys.back() : keys.front()));
+  const float thick = ui.layout.size(hot ? 6 : 4), over = ui.layout.size(4);
+  fill({x - thick / 2, rows.loops.y - over, thick, rows.loops.height + 2 * over},
+       ui.look.palette.text);
 }
 
 // The take as a whole; the part that is seen is moved by dragging.

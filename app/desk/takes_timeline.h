@@ -18,17 +18,23 @@ class TakesTimeline {
   struct Shown {  // frames that are seen
     double from = 0, to = 1;
   };
+  struct Edge {
+    bool seen = false, hot = false;
+  };
   void follow(const motion::TakeReview& review);
-  void zoom(const Box& box);
+  void zoom(const Ui& ui, const Box& box);
+  std::vector<std::vector<double>> loops_in_time() const;  // keytimes of each
+  void choose(const std::vector<double>& keys);
+  void choose_by_key(const Ui& ui, const std::vector<std::vector<double>>& loops);
   void draw_rows(const Ui& ui, const study::Texts& words, const Rows& rows) const;
   void draw_ruler(const Ui& ui, const Rows& rows);
   void draw_loops(const Ui& ui, const study::Texts& words, const Rows& rows);
   void draw_chosen(const Ui& ui, const study::Texts& words, const Rows& rows);
   static void draw_numbers(const Ui& ui, const study::Texts& words, const Rows& rows,
                            const Box& band, const motion::LoopReview& loop);
-  void draw_edge(const Ui& ui, const Rows& rows, bool last);
+  Edge touch_edge(const Ui& ui, const Rows& rows, bool last);
+  void draw_edge(const Ui& ui, const Rows& rows, bool last, bool hot) const;
   void draw_overview(const Ui& ui, const Rows& rows);
-  void move_edge(const study::WalkPlace& walk, bool last, double frame);
 
   TakesWork& work_;
   const motion::TakeReview* review_ = nullptr;

@@ -198,7 +198,9 @@ void TakesWork::make(const std::string& set_file) {
   made_ = {.working = true, .file = set_file, .trouble = {}};
   const std::string recipe = study::recipe_beside(set_file);
   making_ = std::make_shared<Making>();
-  maker_.ask([this, set_file, recipe, text = study::recipe_text(shop_, recipe),
+  made_of_ = study::recipe_text(shop_, recipe);
+  compared_ = -1;
+  maker_.ask([this, set_file, recipe, text = made_of_,
               making = making_](const std::stop_token& ended) {
     MadeSet& result = making->result;
     result.file = set_file;
@@ -221,6 +223,13 @@ void TakesWork::make(const std::string& set_file) {
     }
     return study::Background::Result([this] { finish_making(); });
   });
+}
+
+bool TakesWork::changed_since_made() {
+  if (compared_ == shop_.revision()) return changed_;
+  compared_ = shop_.revision();
+  changed_ = study::recipe_text(shop_, study::recipe_beside(made_.file)) != made_of_;
+  return changed_;
 }
 
 void TakesWork::finish_making() {

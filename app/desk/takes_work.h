@@ -67,6 +67,8 @@ class TakesWork {
   void make(const std::string& set_file);
   void stop_making();
   const MadeSet& made() const { return made_; }
+  // The set that was made last is not what would be made now.
+  bool changed_since_made();
 
  private:
   struct Making;
@@ -87,6 +89,9 @@ class TakesWork {
   mutable std::map<std::pair<std::string, std::size_t>, std::shared_ptr<const motion::LoopReview>>
       loops_;  // by file and cycle
   MadeSet made_;
+  std::string made_of_;  // the recipe
+  bool changed_ = false;
+  int compared_ = -1;  // the revision of the workshop that `changed_` is of
   std::shared_ptr<Making> making_;
   study::Background reading_, cutting_, maker_;  // last: their threads use the others
 };

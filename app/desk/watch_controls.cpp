@@ -30,7 +30,6 @@ constexpr Order note{.name = "note", .what = "note", .needs_words = true};
 constexpr Order stop{.name = "stop", .what = "stop", .needs_words = true};
 
 constexpr const char* words_field = "watch:words";
-constexpr int frames_to_settle = 4;              // Dear ImGui gives the keyboard away in two
 constexpr std::int64_t opening_us = 15'000'000;  // a window takes so long at most
 
 std::string target_of(const Order& order) { return std::string("watch:") + order.name; }
@@ -93,7 +92,6 @@ void WatchControls::follow(const study::Watched& now, std::int64_t now_us) {
 void WatchControls::draw(const Ui& ui, const Texts& texts, const WatchedSession* session,
                          const Box& box, std::int64_t now_us) {
   now_us_ = now_us;
-  frames_left_ = std::max(0, frames_left_ - 1);
   const Palette& palette = ui.look.palette;
   fill(box, palette.panel);
   fill({box.x, box.y, box.width, ui.layout.size(1)}, palette.line);
@@ -127,7 +125,7 @@ void WatchControls::draw_buttons(const Ui& ui, const Texts& texts, const Watched
     const ButtonKind kind = first ? ButtonKind::filled : ButtonKind::outlined;
     if (row_button(ui, target_of(*order), left, label_of(texts, *order), kind,
                    is_possible(*order, session))) {
-      press(*order, session);
+      press(ui, *order, session);
     }
   }
 }
@@ -145,9 +143,9 @@ void WatchControls::draw_resume(const Ui& ui, const Texts& texts, const WatchedS
   if (opening) draw_line(ui.look.fonts.text, left, ui.look.palette.quiet, texts("watch.starting"));
 }
 
-void WatchControls::press(const Order& order, const WatchedSession& session) {
+void WatchControls::press(const Ui& ui, const Order& order, const WatchedSession& session) {
   trouble_.clear();
-  frames_left_ = frames_to_settle;
+  ui.focus.settle();
   if (!order.needs_words) return ask(order, session, "");
   writing_.emplace();
   writing_->order = &order;
@@ -202,7 +200,7 @@ void WatchControls::send(const Ui& ui, const WatchedSession& session) {
   const std::string words = writing_->draft.text.words();
   writing_->missing = words.find_first_not_of(" \n") == std::string::npos;
   writing_->begins = writing_->missing;
-  frames_left_ = frames_to_settle;
+  ui.focus.settle();
   if (writing_->missing) return;
   ask(*writing_->order, session, words);
   if (trouble_.empty()) put_away(ui);

@@ -24,8 +24,6 @@ class WatchControls {
             const Box& box, std::int64_t now_us);
   static float height(const Ui& ui);
   bool waits() const { return asked_.waits(); }
-  // Something was pressed, and what follows from it is still to be drawn.
-  bool unfinished() const { return frames_left_ > 0; }
   const AskedList& asked() const { return asked_; }
 
  private:
@@ -47,7 +45,7 @@ class WatchControls {
   void draw_line_to_write(const Ui& ui, const study::Texts& texts,
                           const study::WatchedSession& session, const Box& row);
   void draw_asked(const Ui& ui, const study::Texts& texts, const Box& box) const;
-  void press(const Order& order, const study::WatchedSession& session);
+  void press(const Ui& ui, const Order& order, const study::WatchedSession& session);
   void send(const Ui& ui, const study::WatchedSession& session);
   void put_away(const Ui& ui);
   void ask(const Order& order, const study::WatchedSession& session, const std::string& words);
@@ -58,7 +56,6 @@ class WatchControls {
   std::string trouble_;  // why nothing can be asked
   std::string resumed_;  // uuid of the session that is being gone on with
   std::int64_t now_us_ = 0, resumed_us_ = 0;
-  int frames_left_ = 0;  // until the keyboard is where it should be
 };
 
 }  // namespace promenade::app

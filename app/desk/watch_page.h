@@ -20,9 +20,7 @@ class WatchPage : public DeskPage {
 
   void advance(std::int64_t now_us) override;
   void draw(const Ui& ui, const study::Texts& texts, const Box& room) override;
-  bool moves() const override {
-    return looker_.busy() || controls_.waits() || controls_.unfinished();
-  }
+  bool moves() const override { return looker_.busy() || controls_.waits(); }
   const std::vector<std::string>& shown_words() const override { return words_; }
 
   // What was seen last; null: nothing yet.

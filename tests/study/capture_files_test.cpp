@@ -30,6 +30,8 @@ TEST(CaptureFiles, NamedThemselvesAreTakenWhateverTheyAreAndOnce) {
 TEST(CaptureFiles, SayTheirStylesByTheWordsInWhichTheyDiffer) {
   EXPECT_EQ(styles_of({"/x/set-1_walk_happy_001.bvh", "/x/set-1_walk_not-confident_002.bvh"}),
             (Texts{"happy", "not-confident"}));
+  EXPECT_EQ(styles_of({"/x/a_happy_walk_1.bvh", "/x/a_sad_walk_2.bvh"}), (Texts{"happy", "sad"}));
+  EXPECT_EQ(styles_of({"/x/a_walk_1.bvh", "/x/a_sad_walk_2.bvh"}), (Texts{"walk", "sad"}));
   EXPECT_EQ(styles_of({"/x/walk_1.bvh", "/x/walk_2.bvh"}), (Texts{"walk", "walk"}));
   EXPECT_EQ(styles_of({"/x/02_01.bvh", "/x/07_01.bvh"}), (Texts{"02_01", "07_01"}));
   EXPECT_EQ(styles_of({"/x/angry walk.bvh"}), (Texts{"angry-walk"}));

@@ -117,7 +117,8 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
        "r.toml:6:1: error: the cycle needs 3 keytimes between first and last: right foot on, left "
        "off, left on"},
       {"motion = 'other'\nkey_phases = [0, 0.5, 1]\n[[take]]\nfile = 'a.bvh'\n",
-       "r.toml:6:1: error: a.bvh needs a [[take.cycle]]: keytimes of other motions than walks cannot "
+       "r.toml:6:1: error: a.bvh needs a [[take.cycle]]: keytimes of other motions than walks "
+       "cannot "
        "be found, only loops without any between"},
       {"motion = 'other'\nkey_phases = [0, 0.6, 0.5, 1]\n[[take]]\nfile = 'a.bvh'\n"
        "[[take.cycle]]\nfirst = 1\nlast = 9\n",
@@ -128,8 +129,24 @@ TEST(Recipe, OfNamedTakesIsRefusedWithEveryPlaceAndReason) {
        "r.toml:7:21: error: \"frames_per_second\" is 0, but must be from 1 to 1000"},
       {"skeleton = 'b.bvh'\n", "r.toml:4:12: error: is not one of the files that the recipe uses"},
       {"without = ['a.bvh']\n", "r.toml:3:10: error: no file in full fits \"*.bvh\""},
+      {"[[take]]\nfile = 'a.bvh'\nuse = 'no'\n",
+       "r.toml:6:7: error: \"use\" must be true or false, but is a text"},
   };
   for (const BrokenRecipe& broken : table) EXPECT_EQ(problems_with_takes(broken.text), broken.said);
+}
+
+TEST(Recipe, KnowsTakesThatItDoesNotUseWhateverBecameOfTheirFiles) {
+  const fs::path folder = own_folder();
+  write_file(folder / "full" / "a.bvh", "no capture, but a file");
+  write_file(folder / "full" / "b.bvh", "another");
+  write_file(folder / "r.toml", head +
+                                    "files = '*.bvh'\n[[take]]\nfile = 'b.bvh'\nuse = false\n"
+                                    "[[take]]\nfile = 'gone.bvh'\nuse = false\n");
+  const Recipe recipe = load_recipe((folder / "r.toml").string());
+  ASSERT_EQ(recipe.takes.size(), 1U);
+  EXPECT_EQ(recipe.takes[0].label, "a.bvh");
+  ASSERT_EQ(recipe.left_out.size(), 2U);
+  EXPECT_EQ(recipe.left_out[1].label, "gone.bvh");
 }
 
 TEST(Recipe, WithoutItsFolderKnowsTheKeysOfTakesAndCutsAllTheSame) {
@@ -210,8 +227,7 @@ TEST(Recipe, SaysMoreAboutSomeOfTheFilesOfAPattern) {
 }
 
 TEST(Recipe, OfEverySetThatComesWithTheProgramIsReadUpToItsFolder) {
-  for (const auto& entry :
-       fs::directory_iterator(source_dir() / "configs/sets")) {
+  for (const auto& entry : fs::directory_iterator(source_dir() / "configs/sets")) {
     try {
       load_recipe(entry.path().string(), (own_folder() / "nowhere").string());
       FAIL() << entry.path();

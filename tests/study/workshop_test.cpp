@@ -128,6 +128,22 @@ TEST_F(Takes, OfARecipeThatFindsItsCyclesGiveTheSameOnesAtTheDesk) {
   }
 }
 
+TEST_F(Takes, OfWhichOnlyAPartIsUsedKeepTheFramesOfTheirFiles) {
+  captures_.add_walks();
+  const std::string file = captures_.file("part.toml");
+  write_file(file,
+             "name = 'x'\ncredit = 'y'\nfolder = 'captures'\n"
+             "[[take]]\nfile = 'walk_sad_001.bvh'\nfrom = 60\n");
+  workshop_.open(file);
+  read_all(workshop_);
+  ASSERT_EQ(workshop_.walks().size(), 1U);
+  const std::vector<double> frames = workshop_.takes()[0].source.cycles[0].frames;
+  EXPECT_GE(frames.front(), 60);
+  workshop_.move_end({0, 0}, false, workshop_.order_of({0, 0}).keys.front() - 1, 1);
+  EXPECT_EQ(workshop_.takes()[0].source.cycles[0].frames.front(), frames.front() - 1);
+  EXPECT_NEAR(make().set.cycles[0].first_frame, frames.front() - 1, 0.51);
+}
+
 TEST_F(Takes, AreUndoneStepByStepAndADragAtOnce) {
   captures_.add_walks();
   bring();

@@ -153,9 +153,10 @@ TEST_F(TakesDesk, DragsAnEndOfALoopAndUndoesItAtOnce) {
   const double before = last_frame();
   const Box edge = widget("edge", "last").box;
   const float frame = widget("edge", "last").unit_x;  // pixels
-  move_to(edge.middle_x(), edge.middle_y());
+  const float hand = edge.x + 2;                      // well within the loop's own band
+  move_to(hand, edge.middle_y());
   button(true);
-  for (int k = 1; k <= 4; ++k) move_to(edge.middle_x() - static_cast<float>(k) * frame / 2, edge.y);
+  for (int k = 1; k <= 4; ++k) move_to(hand - static_cast<float>(k) * frame / 2, edge.y);
   button(false);
   EXPECT_NEAR(last_frame(), before - 2, 1 / frame + 0.01) << "a pixel";
   settle();
@@ -174,6 +175,18 @@ TEST_F(TakesDesk, MovesAnEndByAFrameWithTheArrowKeys) {
   EXPECT_NEAR(first_frame(), before - 1, 1e-9);
   key(GLFW_KEY_RIGHT);
   EXPECT_NEAR(first_frame(), before, 1e-9);
+}
+
+TEST_F(TakesDesk, GoesFromLoopToLoopWithTheArrowsUpAndDown) {
+  captures_.add_walks();
+  bring();
+  tab_to("edge", "first");
+  for (int k = 0; k < 5; ++k) key(GLFW_KEY_UP);
+  const double first = first_frame();
+  key(GLFW_KEY_DOWN);
+  EXPECT_GT(first_frame(), first + 5);
+  key(GLFW_KEY_UP);
+  EXPECT_EQ(first_frame(), first);
 }
 
 TEST_F(TakesDesk, ChoosesAnotherLoopByAPress) {
@@ -259,9 +272,12 @@ TEST_F(TakesDesk, MakesTheSetThatTheProgramMakesOfTheRecipe) {
   const std::string set = studies() + "/sets/walks.set";
   EXPECT_EQ(page_.work().made().file, set);
   EXPECT_EQ(page_.work().made().walks, 3);
+  EXPECT_FALSE(page_.work().changed_since_made());
   study::Recipe recipe = study::load_recipe(study::recipe_beside(set));
   study::hash_takes(recipe);
   EXPECT_EQ(read_file(set), motion::to_bytes(motion::build_set(recipe.takes, recipe.options).set));
+  click("remove", "walk_sad_001.bvh/0");
+  EXPECT_TRUE(page_.work().changed_since_made());
 }
 
 TEST_F(TakesDesk, OpensItsRecipeAgain) {
@@ -290,7 +306,7 @@ TEST_F(TakesDesk, SaysWhyASetCannotBeMade) {
 
 TEST_F(TakesDesk, FindsCapturesInItsFolders) {
   captures_.add_walks();
-  click("press", "browse");
+  click("press", "browse_first");
   ASSERT_TRUE(has("press", "add_folder"));
   click("press", "browse_end");
   EXPECT_FALSE(has("press", "add_folder"));

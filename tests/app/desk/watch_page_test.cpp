@@ -51,15 +51,13 @@ class PageBench {
   void push(const UiEvent& event) {
     queue_.push(event);
     frame();
-    frame();
   }
+  void wait_with(const UiEvent& event) { queue_.push(event); }  // until the next frame
   void key(int code) {
     push({.kind = UiEvent::Kind::key, .code = code, .down = true});
     push({.kind = UiEvent::Kind::key, .code = code, .down = false});
   }
   void type(const std::string& text) {
-    frame();
-    frame();
     for (const char one : text) queue_.push({.kind = UiEvent::Kind::character, .code = one});
     frame();
     frame();
@@ -226,6 +224,20 @@ TEST_F(DeskWatch, GivesUpWithTheEscapeKey) {
   page_.type("yes");
   page_.key(GLFW_KEY_ENTER);
   EXPECT_EQ(last_words(), "yes") << "what was given up is gone";
+}
+
+// While a session plays beside, the desk draws a few times a second.
+TEST_F(DeskWatch, LosesNothingOfWhatIsTypedAtOnce) {
+  const Box box = page_.find("press", "watch:note")->box;
+  page_.push({.kind = UiEvent::Kind::move, .x = box.middle_x(), .y = box.middle_y()});
+  page_.wait_with({.kind = UiEvent::Kind::button, .code = 0, .down = true});
+  page_.wait_with({.kind = UiEvent::Kind::button, .code = 0, .down = false});
+  for (const char one : std::string("at once")) {
+    page_.wait_with({.kind = UiEvent::Kind::character, .code = one});
+  }
+  page_.wait_with({.kind = UiEvent::Kind::key, .code = GLFW_KEY_ENTER, .down = true});
+  page_.push({.kind = UiEvent::Kind::key, .code = GLFW_KEY_ENTER, .down = false});
+  EXPECT_EQ(last_words(), "at once");
 }
 
 TEST_F(DeskWatch, ShowsARefusalAndItsReason) {
