@@ -48,7 +48,7 @@ std::vector<ListedFile> list_folder(const std::string& folder,
   return files;
 }
 
-FileList::FileList(std::string folder, std::vector<std::string> endings)
+FileList::FileList(const std::string& folder, std::vector<std::string> endings)
     : endings_(std::move(endings)) {
   open(folder);
 }

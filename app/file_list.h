@@ -25,7 +25,7 @@ std::vector<ListedFile> list_folder(const std::string& folder,
 class FileList {
  public:
   // `endings`: ".bvh" and so on, in lower case.
-  FileList(std::string folder, std::vector<std::string> endings);
+  FileList(const std::string& folder, std::vector<std::string> endings);
 
   const std::string& folder() const { return folder_; }
   void open(const std::string& folder);

@@ -73,10 +73,11 @@ void TakesSet::draw(const Ui& ui, const study::Texts& words, const Box& box) {
   const float tile = std::floor(room / columns_wide) - gap;
   const float high = tile + ui.layout.size(name_height) + gap;
   const auto columns = static_cast<std::size_t>(columns_wide);
-  const auto rows = static_cast<float>((walks.size() + columns - 1) / columns);
-  scrolled("set", area, rows * high, [&](const Box& all) {
+  const std::size_t rows = (walks.size() + columns - 1) / columns;
+  scrolled("set", area, static_cast<float>(rows) * high, [&](const Box& all) {
     for (std::size_t k = 0; k < walks.size(); ++k) {
-      const auto column = static_cast<float>(k % columns), row = static_cast<float>(k / columns);
+      const std::size_t at_row = k / columns;
+      const auto column = static_cast<float>(k % columns), row = static_cast<float>(at_row);
       draw_tile(ui, walks[k],
                 {all.x + column * (tile + gap), all.y + row * high, tile, high - gap});
     }

@@ -17,7 +17,9 @@ void hatch(const Ui& ui, const Box& box, const Rgb& colour) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float step = ui.layout.size(8);
   ImGui::PushClipRect({box.x, box.y}, {box.right(), box.bottom()}, true);
-  for (float x = box.x - box.height; x < box.right(); x += step) {
+  const int lines = static_cast<int>((box.width + box.height) / step) + 1;
+  for (int k = 0; k < lines; ++k) {
+    const float x = box.x - box.height + static_cast<float>(k) * step;
     list->AddLine({x, box.bottom()}, {x + box.height, box.y}, packed(colour), ui.layout.size(1));
   }
   ImGui::PopClipRect();
@@ -191,8 +193,10 @@ void TakesTimeline::draw_ruler(const Ui& ui, const Rows& rows) {
     step = one;
     if (seconds / one <= 10) break;
   }
-  const double first = std::ceil(rows.shown.from * rows.frame_time / step) * step;
-  for (double at = first; at <= rows.shown.to * rows.frame_time + 1e-9; at += step) {
+  const double first = std::ceil(rows.shown.from * rows.frame_time / step);
+  const double last = std::floor(rows.shown.to * rows.frame_time / step + 1e-9);
+  for (int k = 0; k <= static_cast<int>(last - first); ++k) {
+    const double at = (first + k) * step;
     const float x = std::round(rows.x(at / rows.frame_time));
     fill({x, rows.ruler.bottom() - ui.layout.size(5), ui.layout.size(1), ui.layout.size(5)},
          palette.quiet);
@@ -267,8 +271,8 @@ void TakesTimeline::choose_by_key(const Ui& ui, const std::vector<std::vector<do
       if (keys.front() > now + same) return choose(keys);
     }
   } else if (key_pressed(ImGuiKey_UpArrow)) {
-    for (auto keys = loops.rbegin(); keys != loops.rend(); ++keys) {
-      if (keys->front() < now - same) return choose(*keys);
+    for (std::size_t k = loops.size(); k-- > 0;) {
+      if (loops[k].front() < now - same) return choose(loops[k]);
     }
   }
 }
