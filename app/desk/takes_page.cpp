@@ -189,8 +189,9 @@ void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& bo
                           const std::string& reason) {
   const Palette& palette = ui.look.palette;
   const std::size_t take = *work_.take();
-  const std::string facts = facts_of(words, take);
-  if (reason.empty()) return draw_line(ui.look.fonts.text, box, palette.quiet, facts);
+  if (reason.empty()) {
+    return draw_line(ui.look.fonts.text, box, palette.quiet, facts_of(words, take));
+  }
   const bool failed = work_.shop().verdict(take).refused();
   const float in = ui.layout.size(14), gap = ui.layout.size(8);
   fill(box, palette.on_colour);
@@ -206,7 +207,8 @@ void TakesPage::draw_says(const Ui& ui, const study::Texts& words, const Box& bo
   if (button(ui, "forget", forget, off, ButtonKind::outlined)) forgotten_ = true;
   line.x = chip_box.right() + in;
   line.width = forget.x - in - line.x;
-  draw_line(ui.look.fonts.bold, line, palette.text, facts);
+  const std::filesystem::path file(work_.shop().takes()[take].source.file);
+  draw_line(ui.look.fonts.bold, line, palette.text, file.filename().string());
   draw_paragraphs(ui.look.fonts.text, chip_box.x, under, whole, palette.text, reason);
 }
 
