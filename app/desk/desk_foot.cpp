@@ -32,7 +32,9 @@ Told outcome_of(const study::Texts& words, const DeskJob& one) {
   const Job& job = *one.job;
   if (job.exit_code() == 0) return {words.with("shell.done", {{"name", one.name}})};
   if (job.stopped()) return {words.with("shell.stopped", {{"name", one.name}})};
-  return {one.name + ": " + last_sentence(job.messages()), true};
+  const std::string why = last_sentence(job.messages());
+  if (why.empty()) return {words.with("shell.died", {{"name", one.name}}), true};
+  return {one.name + ": " + why, true};
 }
 
 void draw_words(const Ui& ui, const Box& box, const Told& told) {
