@@ -41,7 +41,7 @@ class Desk:
         self.tool("windowsize", window, str(width), str(height))
         self.tool("windowmove", window, "0", "0")
         self.tool("windowfocus", window)
-        time.sleep(0.6)
+        self.settle()
 
     def opener(self):
         """Stands in for a browser: notes what was to be shown."""
@@ -66,7 +66,7 @@ class Desk:
         return self.program.returncode
 
     @staticmethod
-    def wait(done, seconds=20):
+    def wait(done, seconds=60):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             found = done()
@@ -74,6 +74,12 @@ class Desk:
                 return found
             time.sleep(0.05)
         raise AssertionError(f"nothing came in {seconds} seconds")
+
+    def settle(self):
+        """Until what was done last has been drawn: each frame writes the trace anew."""
+        for _ in range(4):
+            seen = self.trace.stat().st_ino
+            self.wait(lambda: self.trace.stat().st_ino != seen, 60)
 
     def controls(self):
         """Of all that is in sight: (kind, target) to (x, y, width, height)."""
@@ -87,12 +93,16 @@ class Desk:
                 return box
         return None
 
-    def click(self, kind, target, seconds=20):
-        x, y, width, height = self.wait(lambda: self.find(kind, target), seconds)
+    def click(self, kind, target, seconds=60):
+        try:
+            x, y, width, height = self.wait(lambda: self.find(kind, target), seconds)
+        except AssertionError:
+            raise AssertionError(f"no {kind} {target} in {seconds} seconds, but "
+                                 f"{sorted(self.controls())}") from None
         self.tool("mousemove", str(int(x + width / 2)), str(int(y + height / 2)))
-        time.sleep(0.1)
+        self.settle()
         self.tool("click", "1")
-        time.sleep(0.3)
+        self.settle()
 
     def scroll_to(self, kind, target, over):
         """Turns the wheel over another control until this one is in sight."""
@@ -101,23 +111,24 @@ class Desk:
 
         def turned():
             self.tool("click", "5")
-            time.sleep(0.15)
+            self.settle()
             return self.find(kind, target)
         self.wait(turned)
 
-    def press(self, target, seconds=20):
+    def press(self, target, seconds=60):
         self.click("press", target, seconds)
 
     def write(self, target, text):
         """In place of what stands in the field."""
         self.click("type", target)
         self.tool("key", "ctrl+a")
+        self.settle()
         self.tool("type", "--delay", "20", text)
-        time.sleep(0.2)
+        self.settle()
 
     def key(self, *names):
         self.tool("key", *names)
-        time.sleep(0.3)
+        self.settle()
 
     def go(self, place):
         self.click("go", place)
