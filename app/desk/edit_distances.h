@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/desk/background.h"
+#include "app/desk/newest_work.h"
 #include "app/desk/edit_controls.h"
 #include "app/target_reports.h"
 
@@ -43,7 +43,7 @@ class EditDistances {
   Table table_;
   std::shared_ptr<Progress> progress_;
   std::size_t count_ = 0;  // of the targets that are searched for
-  Background<Table> work_;
+  NewestWork<Table> work_;
 };
 
 }  // namespace promenade::app

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/desk/background.h"
+#include "app/desk/newest_work.h"
 #include "app/desk/edit_controls.h"
 #include "app/desk/edit_figures.h"
 #include "app/model_editor.h"
@@ -37,7 +37,7 @@ class EditPreview {
   std::shared_ptr<ModelEditor> tree_;
   std::shared_ptr<const study::StudyBundle> planted_;  // what the tree is of, or will be
   Tree planted_tree_ = Tree::adjectives;
-  Background<std::shared_ptr<ModelEditor>> work_;
+  NewestWork<std::shared_ptr<ModelEditor>> work_;
 };
 
 }  // namespace promenade::app

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/desk/background.h"
+#include "app/desk/newest_work.h"
 #include "study/study.h"
 #include "study/study_shelf.h"
 
@@ -44,7 +44,7 @@ class OpenStudy {
   std::int64_t looked_us_ = INT64_MIN;
   std::shared_ptr<const StudyReading> reading_;
   int number_ = 0;
-  Background<std::shared_ptr<const StudyReading>> work_;
+  NewestWork<std::shared_ptr<const StudyReading>> work_;
 };
 
 }  // namespace promenade::app

@@ -66,9 +66,9 @@ class PlanPage : public DeskPage {
   bool asked_ = false;                                // how many the study plans
   std::shared_ptr<const study::StudyBundle> bundle_;  // that is shown
   std::shared_ptr<const Orders> orders_;
-  Background<std::shared_ptr<const Orders>> work_;
+  NewestWork<std::shared_ptr<const Orders>> work_;
   std::optional<study::SessionLength> length_;
-  Background<study::SessionLength> timing_;
+  NewestWork<study::SessionLength> timing_;
   std::vector<std::string> shown_;
   float high_ = 0;  // of the right side, pixels, as it was drawn last
   std::int64_t now_us_ = 0;

@@ -79,7 +79,7 @@ void TakesWork::read_next() {
   reading_now_ = true;
   reading_.ask([this, source = *source, options = shop_.options()](const std::stop_token&) {
     auto read = std::make_shared<study::ReadCapture>(study::read_capture(source, options));
-    return study::Background::Result([this, source, read] {
+    return study::WorkQueue::Result([this, source, read] {
       reading_now_ = false;
       shop_.take_in(source, std::move(*read));
     });
@@ -98,7 +98,7 @@ void TakesWork::cut_next() {
   cutting_.ask([this, order = *order, options = shop_.options()](const std::stop_token&) {
     auto loop = std::make_shared<const motion::LoopReview>(
         motion::review_loop(order.review->take, order.keys, options));
-    return study::Background::Result([this, order, loop] {
+    return study::WorkQueue::Result([this, order, loop] {
       cutting_now_ = false;
       shop_.take_in(order, loop);
     });
@@ -221,7 +221,7 @@ void TakesWork::make(const std::string& set_file) {
     } catch (const std::exception& error) {
       result.trouble = error.what();
     }
-    return study::Background::Result([this] { finish_making(); });
+    return study::WorkQueue::Result([this] { finish_making(); });
   });
 }
 

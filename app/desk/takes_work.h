@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "study/background.h"
+#include "study/work_queue.h"
 #include "study/workshop_recipe.h"
 
 namespace promenade::app {
@@ -93,7 +93,7 @@ class TakesWork {
   bool changed_ = false;
   int compared_ = -1;  // the revision of the workshop that `changed_` is of
   std::shared_ptr<Making> making_;
-  study::Background reading_, cutting_, maker_;  // last: their threads use the others
+  study::WorkQueue reading_, cutting_, maker_;  // last: their threads use the others
 };
 
 }  // namespace promenade::app

@@ -1,18 +1,14 @@
-// The desk without a window: its own folder of studies, and hands that click, type and press keys.
+// The desk without a window, with a folder of studies of its own.
 #pragma once
-
-#include <GLFW/glfw3.h>
-#include <gtest/gtest.h>
-#include <poll.h>
 
 #include "app/desk/desk.h"
 #include "motion/files.h"
-#include "study/utf8.h"
+#include "tests/app/hands.h"
 #include "tests/test_folder.h"
 
 namespace promenade::app::bench {
 
-class DeskBench : public testing::Test {
+class DeskBench : public HandsTest {
  protected:
   explicit DeskBench(int width = 1280, int height = 720)
       : gui_(make_palette(false), {"日本語", "あ"}),
@@ -66,74 +62,23 @@ class DeskBench : public testing::Test {
     frames(2);
   }
 
-  void frames(int count) {
-    for (int k = 0; k < count; ++k) {
-      now_us_ += 16'667;
-      desk_.advance(now_us_);
-      desk_.frame(gui_);
-    }
+  void draw_frame() override {
+    desk_.advance(now_us_);
+    desk_.frame(gui_);
   }
-  void push(const UiEvent& event) {
-    queue_.push(event);
-    frames(2);
-  }
-  const Widget& widget(const std::string& kind, const std::string& target) {
-    const Widget* found = desk_.widgets().find(kind, target);
-    if (found == nullptr) throw std::logic_error("there is no " + kind + " " + target);
-    return *found;
-  }
-  bool has(const std::string& kind, const std::string& target) {
-    return desk_.widgets().find(kind, target) != nullptr;
-  }
-  void click(const std::string& kind, const std::string& target) {
-    const Box box = widget(kind, target).box;
-    push({.kind = UiEvent::Kind::move, .x = box.middle_x(), .y = box.middle_y()});
-    push({.kind = UiEvent::Kind::button, .down = true});
-    push({.kind = UiEvent::Kind::button, .down = false});
-  }
-  void press(const std::string& target) { click("press", target); }
-  void key(int code) {
-    push({.kind = UiEvent::Kind::key, .code = code, .down = true});
-    push({.kind = UiEvent::Kind::key, .code = code, .down = false});
-  }
-  void chord(int modifier, int code) {
-    push({.kind = UiEvent::Kind::key, .code = modifier, .down = true});
-    key(code);
-    push({.kind = UiEvent::Kind::key, .code = modifier, .down = false});
-  }
-  void type(const std::string& text) {
-    for (std::size_t at = 0; at < text.size();) {
-      const study::Character one = study::first_character(std::string_view(text).substr(at));
-      push({.kind = UiEvent::Kind::character, .code = static_cast<int>(one.code)});
-      at += one.bytes;
-    }
-  }
+  const WidgetMap& widgets() const override { return desk_.widgets(); }
+  const Focus& focus() const override { return desk_.focus(); }
+  // Behind what stands in the field.
   void write(const std::string& target, const std::string& text) {
     click("type", target);
     type(text);
   }
-  void tab_to(const std::string& kind, const std::string& target) {
-    for (int k = 0; k < 200 && !desk_.focus().on(kind, target); ++k) key(GLFW_KEY_TAB);
-    ASSERT_TRUE(desk_.focus().on(kind, target)) << kind << " " << target;
-  }
-  // Until `done` says so, while threads and processes work; false: it never did.
-  template <typename Done>
-  bool wait_until(const Done& done) {
-    for (int k = 0; k < 2000; ++k) {
-      frames(1);
-      if (done()) return true;
-      ::poll(nullptr, 0, 5);
-    }
-    return false;
-  }
 
   TestFolder folder_;
   std::string answer_;
-  InputQueue queue_;
   Gui gui_;
   std::vector<std::string> shown_;
   Desk desk_;
-  std::int64_t now_us_ = 0;
 };
 
 }  // namespace promenade::app::bench

@@ -2,9 +2,10 @@
 #include "app/desk/takes_page.h"
 
 #include "app/desk/words.h"
+#include "app/tool_page.h"
 #include "motion/set_file.h"
 #include "study/recipe.h"
-#include "tests/app/desk/desk_bench.h"
+#include "tests/app/hands.h"
 #include "tests/study/walk_captures.h"
 
 namespace promenade::app {
@@ -12,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class TakesDesk : public testing::Test {
+class TakesDesk : public bench::HandsTest {
  protected:
   explicit TakesDesk(int width = 1280, int height = 720)
       : words_(desk_texts("en")), gui_(make_palette(false), {"日本語"}), page_(studies()) {
@@ -24,24 +25,15 @@ class TakesDesk : public testing::Test {
     frames(2);
   }
   std::string studies() const { return captures_.file("studies"); }
-  void frames(int count) {
-    for (int k = 0; k < count; ++k) {
-      page_.advance(now_us_ += 16'667);
-      tool_.frame(gui_, [this](const Ui& ui) {
-        const ImVec2 size = ImGui::GetIO().DisplaySize;
-        page_.draw(ui, words_, {0, 0, size.x, size.y});
-      });
-    }
+  void draw_frame() override {
+    page_.advance(now_us_);
+    tool_.frame(gui_, [this](const Ui& ui) {
+      const ImVec2 size = ImGui::GetIO().DisplaySize;
+      page_.draw(ui, words_, {0, 0, size.x, size.y});
+    });
   }
-  template <typename Done>
-  bool wait_until(const Done& done) {
-    for (int k = 0; k < 2000; ++k) {
-      frames(1);
-      if (done()) return true;
-      ::poll(nullptr, 0, 5);
-    }
-    return false;
-  }
+  const WidgetMap& widgets() const override { return tool_.widgets(); }
+  const Focus& focus() const override { return tool_.focus(); }
   void bring() {
     page_.dropped({captures_.folder()});
     settle();
@@ -52,42 +44,7 @@ class TakesDesk : public testing::Test {
     }));
     frames(2);
   }
-  void push(const UiEvent& event) {
-    queue_.push(event);
-    frames(2);
-  }
-  const Widget& widget(const std::string& kind, const std::string& target) {
-    const Widget* found = tool_.widgets().find(kind, target);
-    if (found == nullptr) throw std::logic_error("there is no " + kind + " " + target);
-    return *found;
-  }
-  bool has(const std::string& kind, const std::string& target) {
-    return tool_.widgets().find(kind, target) != nullptr;
-  }
-  void move_to(float x, float y) { push({.kind = UiEvent::Kind::move, .x = x, .y = y}); }
-  void button(bool down) { push({.kind = UiEvent::Kind::button, .down = down}); }
-  void click(const std::string& kind, const std::string& target) {
-    const Box box = widget(kind, target).box;
-    move_to(box.middle_x(), box.middle_y());
-    button(true);
-    button(false);
-  }
-  void key(int code) {
-    push({.kind = UiEvent::Kind::key, .code = code, .down = true});
-    push({.kind = UiEvent::Kind::key, .code = code, .down = false});
-  }
-  void undo() {
-    push({.kind = UiEvent::Kind::key, .code = GLFW_KEY_LEFT_CONTROL, .down = true});
-    key(GLFW_KEY_Z);
-    push({.kind = UiEvent::Kind::key, .code = GLFW_KEY_LEFT_CONTROL, .down = false});
-  }
-  void type(const std::string& ascii) {
-    for (const char c : ascii) push({.kind = UiEvent::Kind::character, .code = c});
-  }
-  void tab_to(const std::string& kind, const std::string& target) {
-    for (int k = 0; k < 100 && !tool_.focus().on(kind, target); ++k) key(GLFW_KEY_TAB);
-    ASSERT_TRUE(tool_.focus().on(kind, target)) << kind << " " << target;
-  }
+  void undo() { control(GLFW_KEY_Z); }
   std::vector<std::string> names() {
     std::vector<std::string> names;
     for (const study::WalkPlace& walk : page_.work().shop().walks()) {
@@ -103,11 +60,9 @@ class TakesDesk : public testing::Test {
 
   study::WalkCaptures captures_;
   study::Texts words_;
-  InputQueue queue_;
   Gui gui_;
   ToolPage tool_{queue_};
   TakesPage page_;
-  std::int64_t now_us_ = 0;
 };
 
 using Names = std::vector<std::string>;

@@ -1,5 +1,6 @@
 // Work of a page that takes longer than a frame, in a thread of its own. Only the newest is wanted:
-// what was begun before is told to stop, and what it finds is dropped.
+// what was begun before is told to stop, and what it finds is dropped. (Where each result is
+// wanted, in its order: study/work_queue.h.)
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 namespace promenade::app {
 
 template <typename Result>
-class Background {
+class NewestWork {
  public:
   using Work = std::function<Result(const std::stop_token& ended)>;
 

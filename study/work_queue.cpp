@@ -1,25 +1,25 @@
-#include "study/background.h"
+#include "study/work_queue.h"
 
 #include <utility>
 
 namespace promenade::study {
 
-Background::Background() : thread_([this](const std::stop_token& ended) { run(ended); }) {}
+WorkQueue::WorkQueue() : thread_([this](const std::stop_token& ended) { run(ended); }) {}
 
-Background::~Background() { thread_.request_stop(); }  // and is waited for
+WorkQueue::~WorkQueue() { thread_.request_stop(); }  // and is waited for
 
-void Background::ask(Work work) {
+void WorkQueue::ask(Work work) {
   const std::lock_guard lock(mutex_);
   waiting_.push_back(std::move(work));
   asked_.notify_one();
 }
 
-bool Background::busy() const {
+bool WorkQueue::busy() const {
   const std::lock_guard lock(mutex_);
   return working_ || !waiting_.empty() || !done_.empty();
 }
 
-void Background::deliver() {
+void WorkQueue::deliver() {
   std::deque<Result> results;
   {
     const std::lock_guard lock(mutex_);
@@ -28,7 +28,7 @@ void Background::deliver() {
   for (const Result& result : results) result();
 }
 
-void Background::run(const std::stop_token& ended) {
+void WorkQueue::run(const std::stop_token& ended) {
   std::unique_lock lock(mutex_);
   while (asked_.wait(lock, ended, [this] { return !waiting_.empty(); })) {
     if (ended.stop_requested()) return;

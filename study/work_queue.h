@@ -10,17 +10,17 @@
 
 namespace promenade::study {
 
-class Background {
+class WorkQueue {
  public:
   using Result = std::function<void()>;
   // Done in the thread; gives what deliver() does with it. Throws nothing. A long one looks at the
   // token now and then.
   using Work = std::function<Result(const std::stop_token& ended)>;
 
-  Background();
-  ~Background();  // waits for the work in hand
-  Background(const Background&) = delete;
-  Background& operator=(const Background&) = delete;
+  WorkQueue();
+  ~WorkQueue();  // waits for the work in hand
+  WorkQueue(const WorkQueue&) = delete;
+  WorkQueue& operator=(const WorkQueue&) = delete;
 
   void ask(Work work);
   bool busy() const;  // something waits, is being done, or waits to be delivered

@@ -1,4 +1,4 @@
-#include "study/background.h"
+#include "study/work_queue.h"
 
 #include <gtest/gtest.h>
 
@@ -8,34 +8,34 @@
 namespace promenade::study {
 namespace {
 
-TEST(Background, DeliversInOrderInTheThreadThatAsks) {
-  Background background;
+TEST(WorkQueue, DeliversInOrderInTheThreadThatAsks) {
+  WorkQueue queue;
   std::vector<int> done;
   const std::thread::id here = std::this_thread::get_id();
   for (int k = 0; k < 5; ++k) {
-    background.ask([&done, k, here](const std::stop_token&) -> Background::Result {
+    queue.ask([&done, k, here](const std::stop_token&) -> WorkQueue::Result {
       const bool beside = std::this_thread::get_id() != here;
       return [&done, k, beside, here] {
         if (beside && std::this_thread::get_id() == here) done.push_back(k);
       };
     });
   }
-  while (background.busy()) {
-    background.deliver();
+  while (queue.busy()) {
+    queue.deliver();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(done, (std::vector<int>{0, 1, 2, 3, 4}));
 }
 
-TEST(Background, LeavesWhatWaitsWhenItEnds) {
+TEST(WorkQueue, LeavesWhatWaitsWhenItEnds) {
   int done = 0;
   {
-    Background background;
-    background.ask([](const std::stop_token& ended) -> Background::Result {
+    WorkQueue queue;
+    queue.ask([](const std::stop_token& ended) -> WorkQueue::Result {
       while (!ended.stop_requested()) std::this_thread::yield();
       return {};
     });
-    background.ask([&done](const std::stop_token&) -> Background::Result {
+    queue.ask([&done](const std::stop_token&) -> WorkQueue::Result {
       ++done;
       return {};
     });
