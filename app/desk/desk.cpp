@@ -228,9 +228,6 @@ void Desk::change_language() { language_ = language_ == "en" ? "ja" : "en"; }
 
 std::vector<std::string> Desk::shown_words() const {
   std::vector<std::string> words;
-  for (const auto& [language, texts] : words_) {
-    for (const std::string& key : texts.keys()) words.push_back(texts(key));
-  }
   if (study_) words.push_back(study_->name());
   for (const auto& [folder, room] : rooms_) {
     for (const std::unique_ptr<DeskPage>& page : room.pages) {

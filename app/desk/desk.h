@@ -50,7 +50,7 @@ class Desk {
   bool moves() const;
   // A person is taking part at this machine, or frames are measured: leave it the machine.
   bool quiet() const { return jobs_.quiet(); }
-  // What may be shown now, for the characters of the fonts.
+  // What may be shown now beside the texts of the desk, for the characters of the fonts.
   std::vector<std::string> shown_words() const;
   const WidgetMap& widgets() const { return page_.widgets(); }
   const Focus& focus() const { return page_.focus(); }

@@ -58,7 +58,7 @@ class DeskWindow {
   explicit DeskWindow(const DeskWindowSetting& setting)
       : trace_(setting.trace),
         window_({.title = "Promenade", .windowed = true}, queue_),
-        fonts_(make_palette(false)),
+        fonts_(make_palette(false), all_desk_words()),
         desk_({.studies = setting.studies.empty() ? default_studies_folder() : setting.studies,
                .language = setting.language,
                .program = "",

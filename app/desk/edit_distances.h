@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/desk/newest_work.h"
 #include "app/desk/edit_controls.h"
+#include "app/desk/newest_work.h"
 #include "app/target_reports.h"
 
 namespace promenade::app {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/desk/newest_work.h"
 #include "app/desk/edit_controls.h"
 #include "app/desk/edit_figures.h"
+#include "app/desk/newest_work.h"
 #include "app/model_editor.h"
 
 namespace promenade::app {

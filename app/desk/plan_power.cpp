@@ -79,27 +79,38 @@ void PlanPower::draw(const Ui& ui, const study::Texts& words, Column& column, in
              study_.bundle() != nullptr && !services_.jobs.busy())) {
     start(words, people);
   }
-  if (table_.rows.empty()) return;
-  const auto cells = [&](const Box& row, const std::string& left, const auto& text,
-                         const Rgb& ink) {
-    const float first = 0.5f * row.width;
+  if (!table_.rows.empty()) draw_table(ui, words, column);
+}
+
+// One column for each size, and last the size from which on it is enough.
+void PlanPower::draw_table(const Ui& ui, const study::Texts& words, Column& column) const {
+  const auto line = [&](const std::string& left, std::vector<std::string> cells, const Rgb& ink) {
+    const Box row = column.take(28, 0);
+    const float first = 0.42f * row.width;
     draw_line(ui.look.fonts.text, {row.x, row.y, first, row.height}, ink, left);
-    const auto count = static_cast<int>(table_.people.size());
+    const Box rest{row.x + first, row.y, row.width - first, row.height};
+    const auto count = static_cast<int>(cells.size());
     for (int i = 0; i < count; ++i) {
-      draw_text(ui.look.fonts.text,
-                part_of_row(ui, {row.x + first, row.y, row.width - first, row.height}, i, count),
-                ink, text(static_cast<std::size_t>(i)), Align::right);
+      draw_text(ui.look.fonts.text, part_of_row(ui, rest, i, count), ink,
+                cells[static_cast<std::size_t>(i)], Align::right);
     }
   };
-  cells(
-      column.take(28, 0), words("plan.power_of"),
-      [&](std::size_t i) { return std::to_string(table_.people[i]); }, palette.quiet);
+  std::vector<std::string> sizes;
+  for (const int people : table_.people) sizes.push_back(std::to_string(people));
+  sizes.push_back(words("plan.needed"));
+  line(words("plan.power_of"), sizes, ui.look.palette.quiet);
+  std::string heading;
   for (const PowerRow& row : table_.rows) {
-    const bool enough = needed_people(table_, row, wanted_power) > 0;
-    cells(
-        column.take(28, 0), row.measure + ": " + row.pair,
-        [&](std::size_t i) { return fmt::format("{:.0f} %", 100 * row.power[i]); },
-        enough ? palette.text : palette.quiet);
+    const std::string above = row.task + ": " + row.measure;
+    if (above != heading) {
+      draw_line(ui.look.fonts.bold, column.take(28, 0), ui.look.palette.text, above);
+    }
+    heading = above;
+    std::vector<std::string> cells;
+    for (const double power : row.power) cells.push_back(fmt::format("{:.0f}", 100 * power));
+    const int needed = needed_people(table_, row, wanted_power);
+    cells.push_back(needed > 0 ? std::to_string(needed) : "–");
+    line(row.pair, cells, needed > 0 ? ui.look.palette.text : ui.look.palette.quiet);
   }
 }
 

@@ -34,6 +34,7 @@ class PlanPower {
 
  private:
   void start(const study::Texts& words, int people);
+  void draw_table(const Ui& ui, const study::Texts& words, Column& column) const;
 
   DeskServices& services_;
   OpenStudy& study_;

@@ -20,4 +20,13 @@ study::Texts desk_texts(std::string_view language) {
   return study::parse_texts(files);
 }
 
+std::vector<std::string> all_desk_words() {
+  std::vector<std::string> words;
+  for (const std::string& language : desk_languages()) {
+    const study::Texts texts = desk_texts(language);
+    for (const std::string& key : texts.keys()) words.push_back(texts(key));
+  }
+  return words;
+}
+
 }  // namespace promenade::app

@@ -15,4 +15,7 @@ std::vector<std::string> desk_languages();
 // All pages in one, by key: "studies.new". Throws InputError for a language that is not there.
 study::Texts desk_texts(std::string_view language);
 
+// Every text of every language, for the characters of the fonts.
+std::vector<std::string> all_desk_words();
+
 }  // namespace promenade::app

@@ -16,8 +16,11 @@ namespace promenade::app {
 
 class GrowingGui {
  public:
-  // Needs a current OpenGL context from the first gui_for() on.
-  explicit GrowingGui(const Palette& palette) : palette_(palette) {}
+  // Needs a current OpenGL context from the first gui_for() on. `words`: what is known beforehand.
+  explicit GrowingGui(const Palette& palette, const std::vector<std::string>& words = {})
+      : palette_(palette) {
+    add(words);
+  }
 
   // Ready to draw at the size of the window, with the characters of these words too. What was being
   // written in a field is let go when the fonts are made anew.
