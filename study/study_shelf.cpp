@@ -5,11 +5,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 #include "motion/files.h"
 #include "study/embedded.h"
 #include "study/migrate.h"
+#include "study/process.h"
 #include "study/toml_edit.h"
 #include "study/toml_parse.h"
 #include "study/utf8.h"
@@ -35,9 +37,7 @@ void read_planned(ShelvedStudy& study) {
   study.planned = static_cast<int>(std::clamp<std::int64_t>(planned->integer, 0, 1'000'000));
 }
 
-void read_sessions(ShelvedStudy& study) {
-  if (!fs::exists(study.place.sessions())) return;
-  Database database = open_log(study.place.sessions());
+void read_sessions(Database& database, ShelvedStudy& study) {
   Statement counts(database,
                    "SELECT count(*) FILTER (WHERE outcome = 'finished' AND NOT pilot), "
                    "count(*) FILTER (WHERE outcome = 'finished' AND pilot), "
@@ -57,19 +57,29 @@ void read_sessions(ShelvedStudy& study) {
                                         : StudyState::draft;
 }
 
-ShelvedStudy read_shelved(const StudyPlace& place) {
-  ShelvedStudy study;
-  study.place = place;
-  for (void (*read)(ShelvedStudy&) : {read_planned, read_sessions}) {
-    try {
-      read(study);
-    } catch (const InputError& error) {
-      study.problem = to_text(error.problems().front());
-    } catch (const OutsideError& error) {
-      study.problem = error.what();
-    }
+void attempt(ShelvedStudy& study, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    study.problem = to_text(error.problems().front());
+  } catch (const std::exception& error) {
+    study.problem = error.what();
   }
-  return study;
+}
+
+// Each folder or file in there, as far as it can be looked at.
+template <typename Look>
+void for_each_entry(const fs::path& folder, const Look& look) {
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
+       entry.increment(error)) {
+    look(entry->path());
+  }
+}
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
 }
 
 // A file that a study is made of, and where it goes in its folder.
@@ -156,13 +166,12 @@ std::string stamp_of_sessions(const StudyPlace& place) {
 std::string stamp_of_files(const StudyPlace& place) {
   std::string stamp;
   std::set<std::string> files;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(place.folder, error)) {
-    const std::string name = entry.path().filename().string();
-    if (entry.is_regular_file(error) && name.find(".db") == std::string::npos) {
-      files.insert(name + stamp_of(entry.path()));
+  for_each_entry(place.folder, [&](const fs::path& path) {
+    const std::string name = path.filename().string();
+    if (name.find(".db") == std::string::npos && is_file(path)) {
+      files.insert(name + stamp_of(path));
     }
-  }
+  });
   for (const std::string& one : files) stamp += one;
   return stamp;
 }
@@ -181,17 +190,45 @@ std::string_view to_text(StudyState state) {
   return "";
 }
 
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(path, error);
+}
+
+int StudyShelf::count_live(const std::vector<Process>& processes) {
+  return static_cast<int>(std::count_if(processes.begin(), processes.end(), [](const Process& one) {
+    return lives(one.number, one.start);
+  }));
+}
+
+StudyShelf::Known StudyShelf::read(const StudyPlace& place, const std::string& stamp) {
+  Known known;
+  known.stamp = stamp;
+  known.study.place = place;
+  attempt(known.study, [&] { read_planned(known.study); });
+  attempt(known.study, [&] {
+    if (!is_there(place.sessions())) return;
+    Database database = open_log(place.sessions());
+    read_sessions(database, known.study);
+    Statement row(database,
+                  "SELECT process, coalesce(process_start, '') FROM session "
+                  "WHERE outcome = 'running' AND process IS NOT NULL");
+    while (row.step()) known.processes.push_back({row.integer(0), row.text(1)});
+  });
+  return known;
+}
+
 const std::vector<ShelvedStudy>& StudyShelf::look() {
   studies_.clear();
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, error)) {
-    const StudyPlace place{entry.path()};
-    if (place.name().starts_with('.') || !fs::is_regular_file(place.file(), error)) continue;
+  for_each_entry(folder_, [this](const fs::path& path) {
+    const StudyPlace place{path};
+    if (place.name().starts_with('.') || !is_file(place.file())) return;
     const std::string stamp = stamp_of_files(place) + stamp_of_sessions(place);
     Known& known = known_[place.folder.string()];
-    if (known.stamp != stamp) known = {stamp, read_shelved(place)};
+    if (known.stamp != stamp) known = read(place, stamp);
+    known.study.live = count_live(known.processes);
     studies_.push_back(known.study);
-  }
+  });
   std::sort(studies_.begin(), studies_.end(), [](const ShelvedStudy& a, const ShelvedStudy& b) {
     return a.place.name() < b.place.name();
   });
@@ -207,18 +244,18 @@ fs::path StudyShelf::place_for(const std::string& name) const {
   }
   if (count_characters(name) > 60)
     throw InputError(what, "is too long; use 60 characters or fewer");
-  if (fs::exists(folder_ / name)) throw InputError(what, "is taken; choose another one");
+  if (is_there(folder_ / name)) throw InputError(what, "is taken; choose another one");
   return folder_ / name;
 }
 
 std::string StudyShelf::free_name(const std::string& wanted) const {
   std::string name = wanted;
-  for (int k = 2; fs::exists(folder_ / name); ++k) name = fmt::format("{} {}", wanted, k);
+  for (int k = 2; is_there(folder_ / name); ++k) name = fmt::format("{} {}", wanted, k);
   return name;
 }
 
 StudyPlace StudyShelf::add_template(std::string_view embedded, const std::string& name) {
-  const StudyPlace place{place_for(name)};
+  StudyPlace place{place_for(name)};
   std::vector<Piece> pieces = pieces_of_template(embedded);
   name_study(pieces, name);
   make_folder(place.folder, pieces);
@@ -226,13 +263,13 @@ StudyPlace StudyShelf::add_template(std::string_view embedded, const std::string
 }
 
 StudyPlace StudyShelf::add_file(const fs::path& file, const std::string& name) {
-  const StudyPlace place{place_for(name)};
+  StudyPlace place{place_for(name)};
   make_folder(place.folder, pieces_of_file(file));
   return place;
 }
 
 StudyPlace StudyShelf::duplicate(const StudyPlace& place, const std::string& name) {
-  const StudyPlace copy{place_for(name)};
+  StudyPlace copy{place_for(name)};
   std::vector<Piece> pieces = pieces_of_file(place.file());
   name_study(pieces, name);
   make_folder(copy.folder, pieces);
@@ -240,8 +277,11 @@ StudyPlace StudyShelf::duplicate(const StudyPlace& place, const std::string& nam
 }
 
 StudyPlace StudyShelf::rename(const StudyPlace& place, const std::string& name) {
-  const StudyPlace renamed{place_for(name)};
-  const bool unused = !fs::exists(place.sessions()) && !fs::exists(place.rehearsal());
+  StudyPlace renamed{place_for(name)};
+  if (count_live(read(place, "").processes) > 0) {
+    throw InputError(place.name(), "has a session that runs; rename it when that has ended");
+  }
+  const bool unused = !is_there(place.sessions()) && !is_there(place.rehearsal());
   if (unused) write_file(place.file(), with_study_name(read_file(place.file()), name));
   std::error_code error;
   fs::rename(place.folder, renamed.folder, error);

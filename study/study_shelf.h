@@ -9,6 +9,7 @@
 // The folder's name is what people call the study; [study] name is what its databases call it.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -51,6 +52,7 @@ struct ShelvedStudy {
   int finished = 0;          // people who count
   int pilots = 0;            // sessions that were finished
   int open = 0;              // sessions that nobody has ended: they run, or can be resumed
+  int live = 0;              // of these: a program of this machine runs them now
   std::string last_run_utc;  // when a session last began; empty: none did
   std::string problem;       // why its file or its sessions cannot be read; empty: they can
 };
@@ -74,22 +76,32 @@ class StudyShelf {
   StudyPlace add_file(const std::filesystem::path& file, const std::string& name);
   // All but what sessions have made.
   StudyPlace duplicate(const StudyPlace& place, const std::string& name);
-  // [study] name follows as long as nobody has taken part.
+  // [study] name follows as long as nobody has taken part. Not while a session of it runs.
   StudyPlace rename(const StudyPlace& place, const std::string& name);
   // "Walks 2": a name that is free.
   std::string free_name(const std::string& wanted) const;
 
  private:
+  struct Process {
+    std::int64_t number = 0;
+    std::string start;
+  };
   struct Known {
     std::string stamp;
     ShelvedStudy study;
+    std::vector<Process> processes;  // of the sessions that nobody has ended
   };
+  static Known read(const StudyPlace& place, const std::string& stamp);
+  static int count_live(const std::vector<Process>& processes);
   std::filesystem::path place_for(const std::string& name) const;
 
   std::filesystem::path folder_;
   std::map<std::string, Known> known_;  // by folder
   std::vector<ShelvedStudy> studies_;
 };
+
+// Is there such a file or folder? What cannot be looked at is not there.
+bool is_there(const std::filesystem::path& path);
 
 // What a study can begin as: "demo.toml", "studies/normoyle-timed.toml", ...
 std::vector<std::string> study_templates();

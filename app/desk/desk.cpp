@@ -9,11 +9,13 @@
 #include "app/desk/takes_page.h"
 #include "app/desk/watch_page.h"
 #include "app/desk/words.h"
+#include "motion/problem.h"
 
 namespace promenade::app {
 namespace {
 
 constexpr DeskPlace first_of_study = DeskPlace::edit;
+constexpr std::int64_t patience_us = 20'000'000;  // between two wishes to close the window
 
 std::map<std::string, study::Texts, std::less<>> all_texts() {
   std::map<std::string, study::Texts, std::less<>> texts;
@@ -28,19 +30,47 @@ std::map<std::string, study::Texts, std::less<>> all_texts() {
 Desk::Desk(DeskSetting setting, InputQueue& queue)
     : setting_(std::move(setting)),
       shelf_(setting_.studies),
+      studies_(setting_.studies),
       jobs_(setting_.program.empty() ? own_program() : setting_.program),
       services_{.jobs = jobs_,
                 .shelf = shelf_,
+                .studies = studies_,
                 .displays = setting_.displays,
                 .display = setting_.displays.size() > 1 ? std::size_t{1} : 0,
                 .open = [this](const study::StudyPlace& study) { open(study); },
                 .go = [this](DeskPlace place) { go(place); },
-                .show = setting_.show},
+                .show = [this](const std::string& path) { show(path); },
+                .in_use = [this](const study::StudyPlace& study) { return in_use(study); },
+                .renamed = [this](const study::StudyPlace& from,
+                                  const study::StudyPlace& to) { follow(from, to); }},
       language_(setting_.language),
       words_(all_texts()),
       page_(queue) {}
 
 Desk::~Desk() = default;
+
+void Desk::show(const std::string& path) {
+  try {
+    setting_.show(path);
+  } catch (const OutsideError& error) {
+    jobs_.tell(error.what());
+  }
+}
+
+bool Desk::in_use(const study::StudyPlace& study) const {
+  if (jobs_.busy() || jobs_.quiet()) return true;
+  const auto room = rooms_.find(study.folder.string());
+  if (room == rooms_.end()) return false;
+  const auto& pages = room->second.pages;
+  return std::any_of(pages.begin(), pages.end(),
+                     [](const auto& page) { return page && page->unsaved(); });
+}
+
+// Its pages begin anew: they knew the old folder.
+void Desk::follow(const study::StudyPlace& from, const study::StudyPlace& to) {
+  rooms_.erase(from.folder.string());
+  if (study_ && study_->folder == from.folder) study_ = to;
+}
 
 void Desk::open(const study::StudyPlace& study) {
   study_ = study;
@@ -93,20 +123,23 @@ std::unique_ptr<DeskPage> Desk::make_page(DeskPlace place) {
 
 // The first page of the session offers to go on where it stood.
 void Desk::resume(const study::StudyPlace& study, const study::WatchedSession& session) {
+  if (!services_.screen_is_free()) return jobs_.tell(words_.at(language_)("shell.not_free"));
   std::vector<std::string> command{"run",       study.file(),   "--db", study.sessions(),
                                    "--station", session.station};
   const std::vector<std::string> display =
       session.pilot ? std::vector<std::string>{"--windowed"} : services_.display_options();
   command.insert(command.end(), display.begin(), display.end());
   if (session.pilot) command.push_back("--pilot");
-  if (!session.pilot && std::filesystem::exists(study.roster())) {
+  if (!session.pilot && study::is_there(study.roster())) {
     command.insert(command.end(), {"--roster", study.roster()});
   }
   jobs_.start(words_.at(language_)("shell.resuming"), command, {}, JobKind::session);
 }
 
 void Desk::advance(std::int64_t now_us) {
+  now_us_ = now_us;
   jobs_.look();
+  studies_.look(now_us);
   if (OpenStudy* study = room().study.get()) study->look(now_us);
   page().advance(now_us);
 }
@@ -147,32 +180,33 @@ DeskPage* Desk::edit_page() {
 }
 
 float Desk::draw_unsaved(const Ui& ui, const Box& box) {
-  DeskPage* const edit = edit_page();
-  if (edit == nullptr || !edit->unsaved()) {
-    asked_to_close_ = false;
-    return 0;
-  }
-  if (place_ == DeskPlace::edit && !asked_to_close_) return 0;
+  const bool closing = asked_.contains(&page()) && page().unsaved();
+  DeskPage* const edit = closing ? &page() : edit_page();
+  if (edit == nullptr || !edit->unsaved()) return 0;
+  if (place_ == DeskPlace::edit && !closing) return 0;
   const study::Texts& words = words_.at(language_);
   fill(box, ui.look.palette.known);
   const float inset = ui.layout.size(16);
   const float wide = ui.layout.size(140);
   const float edge = ui.layout.size(5);
   draw_line(ui.look.fonts.text, {box.x + inset, box.y, box.width - wide - 3 * inset, box.height},
-            ui.look.palette.text, words(asked_to_close_ ? "shell.close_unsaved" : "shell.unsaved"));
+            ui.look.palette.text, words(closing ? "shell.close_unsaved" : "shell.unsaved"));
   const Box save{box.right() - wide - inset, box.y + edge, wide, box.height - 2 * edge};
   if (button(ui, "save_study", save, words("shell.save"), ButtonKind::outlined)) edit->save();
   return box.height;
 }
 
 bool Desk::may_close() {
-  if (asked_to_close_) return true;
+  std::erase_if(asked_, [this](const auto& one) { return now_us_ - one.second > patience_us; });
   for (auto& [folder, room] : rooms_) {
-    const auto& edit = room.pages[static_cast<std::size_t>(DeskPlace::edit)];
-    if (!edit || !edit->unsaved()) continue;
-    open(room.study->place());
-    asked_to_close_ = true;
-    return false;
+    for (std::size_t i = 0; i < desk_places; ++i) {
+      const DeskPage* const page = room.pages[i].get();
+      if (page == nullptr || !page->unsaved() || asked_.contains(page)) continue;
+      if (room.study) open(room.study->place());
+      go(static_cast<DeskPlace>(i));
+      asked_[page] = now_us_;
+      return false;
+    }
   }
   return true;
 }
@@ -236,6 +270,7 @@ std::vector<std::string> Desk::shown_words() const {
       words.insert(words.end(), more.begin(), more.end());
     }
   }
+  words.push_back(jobs_.trouble());
   if (const DeskJob* job = jobs_.shown()) words.push_back(job->job->messages());
   return words;
 }

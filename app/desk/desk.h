@@ -43,13 +43,13 @@ class Desk {
   DeskPlace place() const { return place_; }
   // That is open here; null: at the places without one.
   const OpenStudy* study() { return room().study.get(); }
-  // The window is to be closed. False: a study has changes that are not saved, and its page is
-  // open now; asked again, they are given up.
+  // The window is to be closed. False: a page has changes that are not saved, and is open now;
+  // asked again within some seconds, they are given up, and the next such page is asked about.
   bool may_close();
   // Figures walk, or something waits to be shown.
   bool moves() const;
   // A person is taking part at this machine, or frames are measured: leave it the machine.
-  bool quiet() const { return jobs_.quiet(); }
+  bool quiet() const { return jobs_.quiet() || studies_.session_lives(); }
   // What may be shown now beside the texts of the desk, for the characters of the fonts.
   std::vector<std::string> shown_words() const;
   const WidgetMap& widgets() const { return page_.widgets(); }
@@ -73,11 +73,15 @@ class Desk {
   // A line that says so where a study runs as it is on the disk; returns its height.
   float draw_unsaved(const Ui& ui, const Box& box);
   DeskPage* edit_page();  // of this study; null: it was not opened
+  void show(const std::string& path);
+  bool in_use(const study::StudyPlace& study) const;
+  void follow(const study::StudyPlace& from, const study::StudyPlace& to);
   void hear_keys();
   void change_language();
 
   DeskSetting setting_;
   study::StudyShelf shelf_;
+  ShelfWatch studies_;
   DeskJobs jobs_;
   DeskServices services_;
   std::string language_;
@@ -85,7 +89,8 @@ class Desk {
   DeskPlace place_ = DeskPlace::studies;
   std::optional<study::StudyPlace> study_;
   std::map<std::string, Room> rooms_;  // by the study's folder; "": those without a study
-  bool asked_to_close_ = false;
+  std::map<const DeskPage*, std::int64_t> asked_;  // pages that were asked about, and when
+  std::int64_t now_us_ = 0;
   ToolPage page_;
 };
 

@@ -63,7 +63,7 @@ void draw_desk_foot(const Ui& ui, const study::Texts& words, DeskJobs& jobs, con
   const float wide = ui.layout.size(120);
   const Box end{bar.right() - inset - wide, bar.y + gap, wide, bar.height - 2 * gap};
   const Box line{bar.x + inset, bar.y, end.x - bar.x - 2 * inset, bar.height};
-  const DeskJob* const one = jobs.shown();
+  const DeskJob* const one = jobs.trouble().empty() ? jobs.shown() : nullptr;
   if (one != nullptr && one->kind == JobKind::session && one->job->running()) {
     return draw_words(ui, line, {words.with("shell.session", {{"name", one->name}})});
   }

@@ -3,9 +3,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
 
 #include "app/desk/desk.h"
 #include "app/desk/words.h"
@@ -23,7 +26,17 @@ std::string variable(const char* name) {
   return value != nullptr ? value : "";
 }
 
-// Whoever opens it goes on without the desk.
+// Those that were started to show something and have not ended.
+std::vector<pid_t>& openers() {
+  static std::vector<pid_t> all;
+  return all;
+}
+
+void forget_ended_openers() {
+  std::erase_if(openers(), [](pid_t one) { return ::waitpid(one, nullptr, WNOHANG) != 0; });
+}
+
+// Whoever opens it goes on without the desk, in a group of its own.
 void show_with_system(const std::string& path) {
   const std::string chosen = variable("PROMENADE_OPENER");
   std::string program = chosen.empty() ? "xdg-open" : chosen;
@@ -33,10 +46,15 @@ void show_with_system(const std::string& path) {
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  posix_spawnattr_t how{};
+  posix_spawnattr_init(&how);
+  posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
   pid_t process = 0;
-  const int error = ::posix_spawnp(&process, program.c_str(), &files, nullptr, words, environ);
+  const int error = ::posix_spawnp(&process, program.c_str(), &files, &how, words, environ);
   posix_spawn_file_actions_destroy(&files);
+  posix_spawnattr_destroy(&how);
   if (error != 0) throw OutsideError(program + " is not installed; open " + path + " yourself");
+  openers().push_back(process);
 }
 
 // "KIND TARGET X Y WIDTH HEIGHT", divided by tabs, of all that is in sight.
@@ -51,6 +69,11 @@ void write_trace(const std::string& file, const WidgetMap& widgets) {
   write_file(file, text);
 }
 
+std::string folder_of(const DeskWindowSetting& setting) {
+  const std::string folder = setting.studies.empty() ? default_studies_folder() : setting.studies;
+  return std::filesystem::absolute(folder).lexically_normal().string();
+}
+
 // Drawn at the pace of the display while something moves or somebody works with it; a few times a
 // second else, and while a person takes part at this machine.
 class DeskWindow {
@@ -59,7 +82,7 @@ class DeskWindow {
       : trace_(setting.trace),
         window_({.title = "Promenade", .windowed = true}, queue_),
         fonts_(make_palette(false), all_desk_words()),
-        desk_({.studies = setting.studies.empty() ? default_studies_folder() : setting.studies,
+        desk_({.studies = folder_of(setting),
                .language = setting.language,
                .program = "",
                .displays = display_names(),
@@ -98,6 +121,7 @@ class DeskWindow {
   }
   void draw_figures(std::int64_t now_us) {
     now_us_ = now_us;
+    forget_ended_openers();
     const std::vector<std::string> dropped = window_.take_dropped();
     if (!dropped.empty()) desk_.dropped(dropped);
     desk_.advance(now_us);
@@ -124,7 +148,7 @@ class DeskWindow {
 }  // namespace
 
 std::string default_studies_folder() {
-  const std::string chosen = variable("PROMENADE_STUDIES");
+  std::string chosen = variable("PROMENADE_STUDIES");
   if (!chosen.empty()) return chosen;
   const std::string home = variable("HOME");
   return home.empty() ? "Promenade" : home + "/Promenade";
@@ -145,7 +169,8 @@ std::string language_of_system() {
 void open_desk(const DeskWindowSetting& setting) {
   require_display();
   require_fonts();
-  interrupted();  // from now on Ctrl-C closes the window properly
+  interrupted();                  // from now on Ctrl-C closes the window properly
+  std::signal(SIGCHLD, SIG_DFL);  // whoever started us may not have wanted to know
   DeskWindow(setting).work();
 }
 

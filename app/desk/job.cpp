@@ -126,11 +126,13 @@ Job::~Job() {
 void Job::look() {
   if (!running()) return;
   int status = 0;
-  const bool over = ::waitpid(process_, &status, WNOHANG) == process_;
+  const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+  const bool unknown = ended < 0 && errno == ECHILD;  // somebody else has waited for it
+  const bool over = ended == process_ || unknown;
   read_output();
   read_messages();
   if (!over) return;
-  exit_code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  exit_code_ = unknown ? 1 : WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   messages_ += std::exchange(unfinished_line_, {});
 }
 

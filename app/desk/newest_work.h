@@ -3,6 +3,8 @@
 // wanted, in its order: study/work_queue.h.)
 #pragma once
 
+#include <atomic>
+#include <exception>
 #include <functional>
 #include <future>
 #include <memory>
@@ -18,17 +20,23 @@ class NewestWork {
  public:
   using Work = std::function<Result(const std::stop_token& ended)>;
 
-  // `work` must throw nothing; it looks at `ended` now and then.
+  // `work` looks at `ended` now and then. What throws has found nothing.
   void start(Work work) {
     auto found = std::make_shared<std::promise<Result>>();
     waiting_ = found->get_future();
-    if (thread_.joinable()) {
-      thread_.request_stop();
-      earlier_.push_back(std::move(thread_));
+    auto over = std::make_shared<std::atomic<bool>>(false);
+    if (now_.thread.joinable()) {
+      now_.thread.request_stop();
+      earlier_.push_back(std::move(now_));
     }
-    thread_ = std::jthread([work = std::move(work), found](const std::stop_token& ended) {
-      found->set_value(work(ended));
-    });
+    now_ = {over, std::jthread([work = std::move(work), found, over](const std::stop_token& ended) {
+              try {
+                found->set_value(work(ended));
+              } catch (...) {
+                found->set_exception(std::current_exception());
+              }
+              *over = true;
+            })};
   }
 
   // What was found, once.
@@ -37,15 +45,28 @@ class NewestWork {
         waiting_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
       return std::nullopt;
     }
-    earlier_.clear();
-    return waiting_.get();
+    std::erase_if(earlier_, [](const Worker& one) { return one.over->load(); });
+    try {
+      return waiting_.get();
+    } catch (...) {
+      return std::nullopt;
+    }
+  }
+  // Nothing is wanted any more of what was begun.
+  void forget() {
+    now_.thread.request_stop();
+    waiting_ = {};
   }
   bool working() const { return waiting_.valid(); }
 
  private:
   std::future<Result> waiting_;
-  std::vector<std::jthread> earlier_;  // told to stop
-  std::jthread thread_;
+  struct Worker {
+    std::shared_ptr<std::atomic<bool>> over;
+    std::jthread thread;
+  };
+  std::vector<Worker> earlier_;  // told to stop
+  Worker now_;
 };
 
 }  // namespace promenade::app

@@ -11,7 +11,7 @@ namespace promenade::app {
 namespace {
 
 void compare_with_sessions(const study::StudyPlace& place, StudyReading& reading) {
-  if (!reading.bundle || !std::filesystem::exists(place.sessions())) return;
+  if (!reading.bundle || !study::is_there(place.sessions())) return;
   study::Database database = study::open_log(place.sessions());
   const auto versions = study::study_versions(database);
   if (versions.empty()) return;

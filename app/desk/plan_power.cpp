@@ -76,7 +76,7 @@ void PlanPower::draw(const Ui& ui, const study::Texts& words, Column& column, in
   draw_text(ui.look.fonts.title, column.take(36, 4), palette.text, words("plan.power"));
   column.words(ui.look.fonts.text, palette.quiet, words("plan.power_says"), 8);
   if (button(ui, "power", column.take(44), words("plan.power_start"), ButtonKind::outlined,
-             study_.bundle() != nullptr && !services_.jobs.busy())) {
+             study_.bundle() != nullptr && services_.may_work())) {
     start(words, people);
   }
   if (!table_.rows.empty()) draw_table(ui, words, column);

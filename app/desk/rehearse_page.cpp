@@ -25,7 +25,7 @@ class RehearsePage : public DeskPage {
   void draw_one(const Ui& ui, const study::Texts& words, Column& card);
   void draw_many(const Ui& ui, const study::Texts& words, Column& card);
   void draw_problem(const Ui& ui, const study::Texts& words, const Box& box);
-  bool can_begin() const { return study_.bundle() != nullptr && !services_.jobs.busy(); }
+  bool can_begin() const { return study_.bundle() != nullptr && services_.screen_is_free(); }
   void begin_afresh();
   void simulate(const study::Texts& words);
   void report(const study::Texts& words);
@@ -116,7 +116,7 @@ void RehearsePage::draw_many(const Ui& ui, const study::Texts& words, Column& ca
     simulate(words);
   }
   const fs::path page = study_.place().rehearsal_report() / "report.html";
-  if (!fs::exists(page)) return;
+  if (!study::is_there(page)) return;
   if (button(ui, "report", card.take(48), words("rehearse.report"), ButtonKind::outlined)) {
     services_.show(page);
   }

@@ -99,7 +99,8 @@ void ResultsPage::draw(const Ui& ui, const study::Texts& words, const Box& room)
 
 void ResultsPage::draw_data(const Ui& ui, const study::Texts& words, Column& column) {
   const study::StudyPlace& place = study_.place();
-  const bool can = fs::exists(place.sessions()) && !services_.jobs.busy();
+  const bool any = study::is_there(place.sessions()) || study::is_there(place.merged());
+  const bool can = any && !services_.jobs.busy();
   draw_text(ui.look.fonts.title, column.take(36), ui.look.palette.text, words("results.report"));
   if (check_box(ui, "pilots", column.take(32), words("results.with_pilots"), pilots_)) {
     pilots_ = !pilots_;
@@ -109,8 +110,8 @@ void ResultsPage::draw_data(const Ui& ui, const study::Texts& words, Column& col
     report(words);
   }
   const fs::path page = place.report() / "report.html";
-  if (fs::exists(page) && button(ui, "open_report", column.take(40), words("results.open_report"),
-                                 ButtonKind::outlined)) {
+  if (study::is_there(page) && button(ui, "open_report", column.take(40),
+                                      words("results.open_report"), ButtonKind::outlined)) {
     services_.show(page);
   }
   const Box row = column.take(40, 24);
@@ -136,17 +137,19 @@ void ResultsPage::draw_stations(const Ui& ui, const study::Texts& words, Column&
   }
   const study::StudyPlace& place = study_.place();
   std::vector<std::string> command{"merge", place.merged()};
-  if (fs::exists(place.sessions())) command.push_back(place.sessions());
+  if (study::is_there(place.sessions())) command.emplace_back(place.sessions());
   command.push_back(other);
   services_.jobs.start(words("results.merging"), command, [this](const Job& job) {
     if (job.exit_code() == 0) other_station_ = {};
+    people_.read();
   });
 }
 
 void ResultsPage::with_all_stations(const study::Texts& words,
                                     const std::function<void(const fs::path& database)>& then) {
   const study::StudyPlace& place = study_.place();
-  if (!fs::exists(place.merged())) return then(place.sessions());
+  if (!study::is_there(place.merged())) return then(place.sessions());
+  if (!study::is_there(place.sessions())) return then(place.merged());
   services_.jobs.start(words("results.merging"), {"merge", place.merged(), place.sessions()},
                        [then, merged = place.merged()](const Job& job) {
                          if (job.exit_code() == 0) then(merged);
@@ -157,8 +160,8 @@ void ResultsPage::report(const study::Texts& words) {
   with_all_stations(words, [this, &words](const fs::path& database) {
     const study::StudyPlace& place = study_.place();
     std::vector<std::string> command{"report", database, "--out", place.report()};
-    if (pilots_) command.push_back("--include-pilot");
-    if (fs::exists(place.exclusions())) {
+    if (pilots_) command.emplace_back("--include-pilot");
+    if (study::is_there(place.exclusions())) {
       command.insert(command.end(), {"--exclude", place.exclusions()});
     }
     services_.jobs.start(words("results.reporting"), command,
@@ -173,8 +176,8 @@ void ResultsPage::export_data(const study::Texts& words, bool open) {
     const study::StudyPlace& place = study_.place();
     const fs::path folder = open ? place.public_data() : place.data();
     std::vector<std::string> command{"export", database, "--out", folder};
-    if (open) command.push_back("--public");
-    if (pilots_) command.push_back("--include-pilot");
+    if (open) command.emplace_back("--public");
+    if (pilots_) command.emplace_back("--include-pilot");
     services_.jobs.start(words("results.exporting"), command, [this, folder](const Job& job) {
       if (job.exit_code() == 0) services_.show(folder);
     });

@@ -10,22 +10,35 @@
 
 namespace promenade::app {
 
+// Of all stations, once they were joined.
+std::filesystem::path ResultsPeople::database() const {
+  return study::is_there(place_.merged()) ? place_.merged() : place_.sessions();
+}
+
+void ResultsPeople::read_exclusions() {
+  exclusions_.clear();
+  exclusions_trouble_.clear();
+  if (!study::is_there(place_.exclusions())) return;
+  try {
+    exclusions_ = analysis::parse_exclusions(place_.exclusions(), read_file(place_.exclusions()));
+  } catch (const std::exception& error) {
+    exclusions_trouble_ = error.what();
+  }
+}
+
 void ResultsPeople::read() {
   sessions_.clear();
-  exclusions_.clear();
   trouble_.clear();
   try {
-    if (std::filesystem::exists(place_.sessions())) {
-      study::Database database = study::open_log(place_.sessions());
-      sessions_ = study::list_sessions(database);
-    }
-    if (std::filesystem::exists(place_.exclusions())) {
-      exclusions_ = analysis::parse_exclusions(place_.exclusions(), read_file(place_.exclusions()));
+    if (study::is_there(database())) {
+      study::Database log = study::open_log(database());
+      sessions_ = study::list_sessions(log);
     }
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
-  shown_ = {trouble_};
+  read_exclusions();
+  shown_ = {trouble_, exclusions_trouble_};
   for (const study::ListedSession& one : sessions_) shown_.push_back(one.participant);
   for (const analysis::Exclusion& one : exclusions_) shown_.push_back(one.reason);
 }
@@ -44,12 +57,17 @@ const analysis::Exclusion* ResultsPeople::exclusion_of(const std::string& code) 
   return nullptr;
 }
 
-void ResultsPeople::write_exclusions(const std::vector<analysis::Exclusion>& exclusions) {
+// As they are in the file now: another desk, or a person, may have written there. A file that
+// cannot be read is not written over.
+void ResultsPeople::change_exclusions(
+    const std::function<void(std::vector<analysis::Exclusion>& all)>& change) {
+  read_exclusions();
+  if (!exclusions_trouble_.empty()) return;
+  change(exclusions_);
   try {
-    write_file(place_.exclusions(), analysis::exclusions_csv(exclusions));
-    read();
+    write_file(place_.exclusions(), analysis::exclusions_csv(exclusions_));
   } catch (const OutsideError& error) {
-    trouble_ = error.what();
+    exclusions_trouble_ = error.what();
   }
 }
 
@@ -126,18 +144,21 @@ void ResultsPeople::draw_chosen(const Ui& ui, const study::Texts& words, Column&
 void ResultsPeople::draw_exclusion(const Ui& ui, const study::Texts& words, Column& column,
                                    std::int64_t now_us) {
   const std::string code = chosen()->participant;
-  std::vector<analysis::Exclusion> others = exclusions_;
+  if (!exclusions_trouble_.empty()) {
+    return column.words(ui.look.fonts.text, ui.look.palette.alarm, exclusions_trouble_, 20);
+  }
   if (const analysis::Exclusion* const exclusion = exclusion_of(code)) {
     column.words(ui.look.fonts.text, ui.look.palette.text,
                  words.with("results.excluded_says",
                             {{"reason", exclusion->reason}, {"date", exclusion->date}}),
                  8);
-    if (!button(ui, "include", column.take(40, 20), words("results.include"),
-                ButtonKind::outlined)) {
-      return;
+    if (button(ui, "include", column.take(40, 20), words("results.include"),
+               ButtonKind::outlined)) {
+      change_exclusions([&](std::vector<analysis::Exclusion>& all) {
+        std::erase_if(all, [&](const analysis::Exclusion& one) { return one.code == code; });
+      });
     }
-    std::erase_if(others, [&](const analysis::Exclusion& one) { return one.code == code; });
-    return write_exclusions(others);
+    return;
   }
   column.words(ui.look.fonts.text, ui.look.palette.text, words("results.exclude_says"), 8);
   text_box(ui, "exclude.reason", column.take(40), reason_,
@@ -150,9 +171,8 @@ void ResultsPeople::draw_exclusion(const Ui& ui, const study::Texts& words, Colu
   exclusion.code = code;
   exclusion.reason = reason;
   exclusion.date = study::utc_now().substr(0, 10);
-  others.push_back(exclusion);
-  reason_ = {};
-  write_exclusions(others);
+  change_exclusions([&](std::vector<analysis::Exclusion>& all) { all.push_back(exclusion); });
+  if (exclusions_trouble_.empty()) reason_ = {};
 }
 
 void ResultsPeople::draw_withdrawal(const Ui& ui, const study::Texts& words, Column& column,
@@ -170,12 +190,15 @@ void ResultsPeople::draw_withdrawal(const Ui& ui, const study::Texts& words, Col
 
 // Also from what was joined of it: there it would come back otherwise.
 void ResultsPeople::withdraw(const study::Texts& words, const std::string& code) {
-  const std::string name = words("results.withdrawing");
+  const std::string& name = words("results.withdrawing");
+  const auto from_merged = [this, name, code] {
+    if (!study::is_there(place_.merged())) return read();
+    services_.jobs.start(name, {"withdraw", place_.merged(), code}, [this](const Job&) { read(); });
+  };
+  if (!study::is_there(place_.sessions())) return from_merged();
   services_.jobs.start(name, {"withdraw", place_.sessions(), code},
-                       [this, name, code](const Job& job) {
-                         if (job.exit_code() == 0 && std::filesystem::exists(place_.merged())) {
-                           services_.jobs.start(name, {"withdraw", place_.merged(), code});
-                         }
+                       [this, from_merged](const Job& job) {
+                         if (job.exit_code() == 0) return from_merged();
                          read();
                        });
 }

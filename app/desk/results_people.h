@@ -2,6 +2,8 @@
 // with a reason, or withdrawn because they ask for it.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,14 +38,17 @@ class ResultsPeople {
                        std::int64_t now_us);
   const study::ListedSession* chosen() const;
   const analysis::Exclusion* exclusion_of(const std::string& code) const;
-  void write_exclusions(const std::vector<analysis::Exclusion>& exclusions);
+  std::filesystem::path database() const;
+  void read_exclusions();
+  void change_exclusions(const std::function<void(std::vector<analysis::Exclusion>& all)>& change);
   void withdraw(const study::Texts& words, const std::string& code);
 
   DeskServices& services_;
   study::StudyPlace place_;
   std::vector<study::ListedSession> sessions_;
   std::vector<analysis::Exclusion> exclusions_;
-  std::string chosen_, trouble_;  // chosen: a session's uuid
+  std::string chosen_, trouble_;    // chosen: a session's uuid
+  std::string exclusions_trouble_;  // why they cannot be read or written; empty: they can
   Draft reason_, code_again_;
   std::vector<std::string> shown_;
 };

@@ -12,7 +12,7 @@ void ResultsRoster::read() {
   rows_.clear();
   trouble_.clear();
   try {
-    if (std::filesystem::exists(place_.roster())) {
+    if (study::is_there(place_.roster())) {
       rows_ = study::read_roster(place_.roster(), read_file(place_.roster()));
     }
   } catch (const std::exception& error) {
@@ -112,7 +112,7 @@ void ResultsRoster::draw_chosen(const Ui& ui, const study::Texts& words, Column&
                            std::to_string(stations_.value)});
   }
   if (button(ui, "mark_done", column.take(44), words("results.mark_done"), ButtonKind::outlined,
-             idle && !rows_.empty() && std::filesystem::exists(place_.sessions()))) {
+             idle && !rows_.empty() && study::is_there(place_.sessions()))) {
     command(words, {"--done-in", place_.sessions()});
   }
 }

@@ -97,7 +97,7 @@ void RunPage::draw_ready(const Ui& ui, const study::Texts& words, const Box& box
   draw_text(ui.look.fonts.title, head, palette.text, words("run.ready"));
   const float wide = ui.layout.size(220);
   if (button(ui, "doctor", {head.right() - wide, head.y, wide, head.height}, words("run.try"),
-             ButtonKind::outlined, !services_.jobs.busy())) {
+             ButtonKind::outlined, services_.screen_is_free())) {
     try_machine(words);
   }
   const std::vector<ReadyLine> all = lines(words);
@@ -160,12 +160,14 @@ void RunPage::draw_start(const Ui& ui, const study::Texts& words, Column& column
            {.most = 32, .several = false, .hint = "1"}, now_us_);
   const StudyReading* const reading = study_.reading();
   const bool can = reading != nullptr && reading->bundle && !reading->amendment_due &&
-                   reading->database_problem.empty() && !services_.jobs.session();
+                   reading->database_problem.empty() && services_.screen_is_free();
   if (button(ui, "start", column.take(56, 12), words("run.start"), ButtonKind::filled, can)) {
     start(words);
   }
   column.words(ui.look.fonts.text, palette.quiet,
-               words(services_.jobs.session() ? "run.runs_already" : "run.start_says"));
+               words(services_.session_runs()     ? "run.runs_already"
+                     : services_.screen_is_free() ? "run.start_says"
+                                                  : "shell.not_free"));
 }
 
 void RunPage::try_machine(const study::Texts& words) {
@@ -194,7 +196,7 @@ void RunPage::start(const study::Texts& words) {
   if (!code.empty()) command.insert(command.end(), {"--participant", code});
   const std::string station = station_.text.words();
   if (!station.empty()) command.insert(command.end(), {"--station", station});
-  if (std::filesystem::exists(place.roster())) {
+  if (study::is_there(place.roster())) {
     command.insert(command.end(), {"--roster", place.roster()});
   }
   services_.jobs.start(words("run.session"), command, {}, JobKind::session);

@@ -1,6 +1,7 @@
 #include "app/desk/services.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "motion/problem.h"
 
@@ -13,7 +14,7 @@ std::string_view to_text(DeskPlace place) {
 }
 
 DeskJobs::~DeskJobs() {
-  for (DeskJob& one : jobs_) {
+  for (const DeskJob& one : jobs_) {
     if (one.kind != JobKind::session && one.job->running()) one.job->stop();
   }
 }
@@ -40,15 +41,23 @@ void DeskJobs::look() {
     const std::function<void(const Job&)> ended = std::move(jobs_[i].ended);
     if (ended) ended(*jobs_[i].job);
   }
-  // What failed waits to be seen; of the others the last is enough.
-  while (jobs_.size() > 1 && !jobs_.front().job->running()) jobs_.erase(jobs_.begin());
+  // What failed waits to be seen; of what ended well the last is enough.
+  const auto well = [this](const DeskJob& one) {
+    return &one != &jobs_.back() && one.told && (one.job->exit_code() == 0 || one.job->stopped());
+  };
+  jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), well), jobs_.end());
 }
+
+bool DeskJob::failed() const { return !job->running() && job->exit_code() != 0 && !job->stopped(); }
 
 const DeskJob* DeskJobs::shown() const {
   const auto running = std::find_if(jobs_.begin(), jobs_.end(), [](const DeskJob& one) {
     return one.job->running() && one.kind != JobKind::session;
   });
   if (running != jobs_.end()) return &*running;
+  const auto failed =
+      std::find_if(jobs_.begin(), jobs_.end(), [](const DeskJob& one) { return one.failed(); });
+  if (failed != jobs_.end()) return &*failed;
   return jobs_.empty() ? nullptr : &jobs_.back();
 }
 
@@ -75,8 +84,11 @@ void DeskJobs::stop_shown() {
 }
 
 void DeskJobs::dismiss() {
-  trouble_.clear();
-  std::erase_if(jobs_, [](const DeskJob& one) { return !one.job->running() && one.told; });
+  if (!std::exchange(trouble_, {}).empty()) return;
+  const DeskJob* const seen = shown();
+  std::erase_if(jobs_, [seen](const DeskJob& one) {
+    return !one.job->running() && one.told && (&one == seen || !one.failed());
+  });
 }
 
 std::vector<std::string> DeskServices::display_options() const {

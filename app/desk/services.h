@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/desk/job.h"
+#include "app/desk/shelf_watch.h"
 #include "study/study_shelf.h"
 
 namespace promenade::app {
@@ -28,6 +29,7 @@ struct DeskJob {
   std::function<void(const Job& job)> ended;
   JobKind kind = JobKind::work;
   bool told = false;
+  bool failed() const;
 };
 
 class DeskJobs {
@@ -45,6 +47,7 @@ class DeskJobs {
   bool session() const;  // a session runs
   bool quiet() const;    // something runs in a window of its own
   void stop_shown();
+  void tell(const std::string& trouble) { trouble_ = trouble; }
   void dismiss();  // what ended is seen
   const std::string& trouble() const { return trouble_; }
 
@@ -55,7 +58,8 @@ class DeskJobs {
 
 struct DeskServices {
   DeskJobs& jobs;
-  study::StudyShelf& shelf;
+  study::StudyShelf& shelf;           // to change it
+  ShelfWatch& studies;                // to look at it
   std::vector<std::string> displays;  // "1: DP-1, 1920 x 1080", for the participant's window
   // Where participants' windows open: one of the displays; beyond them, in a window.
   std::size_t display = 0;
@@ -63,6 +67,18 @@ struct DeskServices {
   std::function<void(DeskPlace place)> go;
   // With the program of the system that is meant for it: a report in the browser.
   std::function<void(const std::string& path)> show;
+
+  // Has the desk something open that a study's folder must stay for: changes that are not saved, a
+  // command that runs?
+  std::function<bool(const study::StudyPlace& study)> in_use;
+  std::function<void(const study::StudyPlace& from, const study::StudyPlace& to)> renamed;
+
+  // A session runs on this machine, whoever started it.
+  bool session_runs() const { return jobs.session() || studies.session_lives(); }
+  // Nothing runs that a session, or a window of its own, would be disturbed by.
+  bool screen_is_free() const { return !session_runs() && !jobs.quiet() && !jobs.busy(); }
+  // Work in the background may begin.
+  bool may_work() const { return !jobs.busy() && !session_runs(); }
 
   // The options of a command for that display: "--screen" and its number, or "--windowed".
   std::vector<std::string> display_options() const;

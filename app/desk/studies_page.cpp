@@ -51,17 +51,16 @@ class StudiesPage : public DeskPage {
   std::string chosen_;  // by name
   Draft new_name_, other_name_;
   std::string trouble_;
-  std::int64_t looked_us_ = INT64_MIN;
+  int number_ = -1;  // of the look that is shown
   std::int64_t now_us_ = 0;
   std::vector<std::string> shown_;
 };
 
 void StudiesPage::advance(std::int64_t now_us) {
-  constexpr std::int64_t period_us = 1'000'000;
   now_us_ = now_us;
-  if (looked_us_ != INT64_MIN && now_us - looked_us_ < period_us) return;
-  looked_us_ = now_us;
-  studies_ = services_.shelf.look();
+  if (services_.studies.number() == number_) return;
+  number_ = services_.studies.number();
+  studies_ = services_.studies.studies();
   shown_ = {trouble_};
   for (const ShelvedStudy& one : studies_) {
     shown_.push_back(one.place.name());
@@ -93,7 +92,7 @@ void StudiesPage::attempt(const std::function<StudyPlace()>& work) {
   } catch (const std::exception& error) {
     trouble_ = error.what();
   }
-  looked_us_ = INT64_MIN;
+  services_.studies.look_now();
   advance(now_us_);
 }
 
@@ -229,7 +228,15 @@ void StudiesPage::draw_chosen(const Ui& ui, const study::Texts& words, Column& c
   if (button(ui, "rename", part_of_row(ui, row, 1, 2), words("studies.rename"),
              ButtonKind::outlined, named) ||
       (entered && named)) {
-    attempt([&] { return services_.shelf.rename(place, name); });
+    if (services_.in_use(place)) {
+      trouble_ = words("studies.in_use");
+      return;
+    }
+    attempt([&] {
+      StudyPlace renamed = services_.shelf.rename(place, name);
+      services_.renamed(place, renamed);
+      return renamed;
+    });
   }
 }
 

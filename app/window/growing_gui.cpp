@@ -6,11 +6,13 @@ namespace promenade::app {
 
 bool GrowingGui::add(const std::vector<std::string>& words) {
   bool more = false;
-  for (const std::string& word : words) {
-    if (!seen_.insert(word).second) continue;
+  for (const std::string_view word : words) {
     for (std::size_t at = 0; at < word.size();) {
-      const study::Character one = study::first_character(std::string_view(word).substr(at));
-      more |= characters_.insert(one.code).second;
+      const study::Character one = study::first_character(word.substr(at));
+      if (seen_.insert(one.code).second) {
+        characters_ += word.substr(at, one.bytes);
+        more = true;
+      }
       at += one.bytes;
     }
   }
@@ -20,7 +22,7 @@ bool GrowingGui::add(const std::vector<std::string>& words) {
 Gui& GrowingGui::gui_for(const std::vector<std::string>& words, const Window& window) {
   if (add(words) || !gui_) {
     renderer_.reset();
-    gui_.emplace(palette_, std::vector<std::string>(seen_.begin(), seen_.end()));
+    gui_.emplace(palette_, std::vector<std::string>{characters_});
     renderer_ = std::make_unique<GuiRenderer>();
   }
   gui_->use();

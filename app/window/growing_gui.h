@@ -31,8 +31,8 @@ class GrowingGui {
   bool add(const std::vector<std::string>& words);
 
   Palette palette_;
-  std::set<unsigned int> characters_;
-  std::set<std::string> seen_;
+  std::set<unsigned int> seen_;
+  std::string characters_;  // each once
   std::optional<Gui> gui_;
   std::unique_ptr<GuiRenderer> renderer_;
 };

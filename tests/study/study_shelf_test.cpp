@@ -114,6 +114,21 @@ TEST_F(Shelf, ListsWhatItCannotReadWithTheReason) {
   EXPECT_NE(only().problem.find("sessions.db"), std::string::npos) << only().problem;
 }
 
+TEST_F(Shelf, RenamesNoStudyWhileASessionOfItRuns) {
+  const StudyPlace place = shelf_.add_template("demo.toml", "Walks");
+  take_part(place, "P1", false, false);  // by this very process, which lives
+  EXPECT_EQ(only().live, 1);
+  EXPECT_THROW(shelf_.rename(place, "Steps"), InputError);
+  EXPECT_TRUE(is_there(place.sessions()));
+}
+
+TEST_F(Shelf, LivesWithFilesThatCannotBeLookedAt) {
+  const StudyPlace place = shelf_.add_template("demo.toml", "Walks");
+  fs::create_symlink(place.sessions(), place.sessions());
+  fs::create_symlink("nowhere", folder_.path() / "studies" / "Lost");
+  EXPECT_EQ(shelf_.look().size(), 1U);
+}
+
 TEST_F(Shelf, CopiesNothingFromOutsideOfTheFolder) {
   write_file(folder_.path() / "secret.csv", "x");
   write_file(folder_.path() / "in/study.toml", "[study]\nname = \"s\"\nset = \"../secret.csv\"\n");

@@ -3,6 +3,7 @@
 
 #include "app/desk/desk.h"
 #include "motion/files.h"
+#include "motion/problem.h"
 #include "tests/app/hands.h"
 #include "tests/test_folder.h"
 
@@ -16,7 +17,11 @@ class DeskBench : public HandsTest {
                .language = "en",
                .program = stand_in(),
                .displays = {"1: DP-1, 1920 x 1080", "2: HDMI-1, 1280 x 720"},
-               .show = [this](const std::string& path) { shown_.push_back(path); }},
+               .show =
+                   [this](const std::string& path) {
+                     if (!opener_) throw OutsideError("nothing is installed that opens " + path);
+                     shown_.push_back(path);
+                   }},
               queue_) {
     gui_.fit(width, height);
     unsigned char* pixels = nullptr;
@@ -76,6 +81,7 @@ class DeskBench : public HandsTest {
 
   TestFolder folder_;
   std::string answer_;
+  bool opener_ = true;  // something can show files
   Gui gui_;
   std::vector<std::string> shown_;
   Desk desk_;

@@ -62,6 +62,56 @@ TEST_F(DeskItself, AsksOnceBeforeChangesAreLost) {
   EXPECT_TRUE(desk_.may_close());
 }
 
+TEST_F(DeskItself, AsksAboutEveryStudyWithChanges) {
+  change_the_name(make_study("Walks"));
+  change_the_name(make_study("Other"));
+  EXPECT_FALSE(desk_.may_close());
+  const study::StudyPlace first = desk_.study()->place();
+  EXPECT_FALSE(desk_.may_close());
+  EXPECT_NE(desk_.study()->place().folder, first.folder);
+  EXPECT_TRUE(desk_.may_close());
+}
+
+TEST_F(DeskItself, AsksAgainAfterSomeTime) {
+  change_the_name(make_study("Walks"));
+  EXPECT_FALSE(desk_.may_close());
+  now_us_ += 30'000'000;
+  frames(1);
+  EXPECT_FALSE(desk_.may_close());
+}
+
+TEST_F(DeskItself, SaysThatNothingShowsAReport) {
+  const study::StudyPlace study = make_study("Walks");
+  write_file(study.rehearsal_report() / "report.html", "x");
+  open(study, DeskPlace::rehearse);
+  opener_ = false;
+  press("report");
+  EXPECT_NE(desk_.jobs().trouble(), "");
+  EXPECT_TRUE(has("press", "job.close"));
+}
+
+TEST_F(DeskItself, FollowsAStudyThatIsRenamed) {
+  const study::StudyPlace study = make_study("Walks");
+  open(study, DeskPlace::edit);
+  desk_.go(DeskPlace::studies);
+  ASSERT_TRUE(wait_until([this] { return has("type", "other_name"); }));
+  write("other_name", "Steps");
+  press("rename");
+  desk_.go(DeskPlace::edit);
+  frames(2);
+  EXPECT_EQ(desk_.study()->place().name(), "Steps");
+}
+
+TEST_F(DeskItself, RenamesNoStudyWithChangesThatAreNotSaved) {
+  const study::StudyPlace study = make_study("Walks");
+  change_the_name(study);
+  desk_.go(DeskPlace::studies);
+  ASSERT_TRUE(wait_until([this] { return has("type", "other_name"); }));
+  write("other_name", "Steps");
+  press("rename");
+  EXPECT_TRUE(study::is_there(study.file()));
+}
+
 TEST_F(DeskItself, KeepsWhatWasChangedInOneStudyWhileAnotherIsOpen) {
   const study::StudyPlace study = make_study("Walks");
   change_the_name(study);

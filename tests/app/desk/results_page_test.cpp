@@ -46,6 +46,17 @@ TEST_F(ResultsDesk, LeavesPeopleOutWithTheirReason) {
   EXPECT_EQ(read_file(study_.exclusions()), "code,reason,rule,date\n");
 }
 
+TEST_F(ResultsDesk, WritesNothingOverExclusionsThatItCannotRead) {
+  const std::string odd = "code,reason,rule,date\nP1,late,,2026-11-3\n";
+  write_file(study_.exclusions(), odd);
+  click("person", "P2");
+  if (has("press", "exclude")) {
+    write("exclude.reason", "x");
+    press("exclude");
+  }
+  EXPECT_EQ(read_file(study_.exclusions()), odd);
+}
+
 TEST_F(ResultsDesk, WithdrawsOnlyWhoseCodeIsWrittenOnceMore) {
   click("person", "P1");
   write("withdraw.code", "P");
@@ -67,6 +78,13 @@ TEST_F(ResultsDesk, ReportsOfAllStationsOnceTheyWereJoined) {
             "merge Walks/merged.db Walks/sessions.db /media/usb/b.db\n"
             "merge Walks/merged.db Walks/sessions.db\n"
             "export Walks/merged.db --out Walks/data\n");
+}
+
+TEST_F(ResultsDesk, ReportsWhereOnlyOtherStationsHaveSessions) {
+  std::filesystem::rename(study_.sessions(), study_.merged());
+  ASSERT_TRUE(wait_until([this] { return has("person", "P1"); }));
+  press("report");
+  EXPECT_EQ(asked(), "report Walks/merged.db --out Walks/report\n");
 }
 
 TEST_F(ResultsDesk, ExportsForThePublicApart) {
