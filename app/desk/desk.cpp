@@ -129,7 +129,7 @@ void Desk::resume(const study::StudyPlace& study, const study::WatchedSession& s
   const std::vector<std::string> display =
       session.pilot ? std::vector<std::string>{"--windowed"} : services_.display_options();
   command.insert(command.end(), display.begin(), display.end());
-  if (session.pilot) command.push_back("--pilot");
+  if (session.pilot) command.emplace_back("--pilot");
   if (!session.pilot && study::is_there(study.roster())) {
     command.insert(command.end(), {"--roster", study.roster()});
   }

@@ -51,6 +51,9 @@ std::string last_sentence(const std::string& messages) {
   if (before != std::string_view::npos) text.remove_prefix(before + 1);
   constexpr std::string_view own = "promenade: ";
   if (text.starts_with(own)) text.remove_prefix(own.size());
+  constexpr std::string_view place = ": error: ";  // before it: a path, or an option
+  const std::size_t end = text.find(place);
+  if (end != std::string_view::npos) text.remove_prefix(end + place.size());
   return std::string(text);
 }
 

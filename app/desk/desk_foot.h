@@ -10,7 +10,8 @@ namespace promenade::app {
 // Has "press" "job.stop" while it runs, and "job.close" when it has ended.
 void draw_desk_foot(const Ui& ui, const study::Texts& words, DeskJobs& jobs, const Box& bar);
 
-// What to say of a command that ended badly: its last sentence, without its own name before it.
+// What to say of a command that ended badly: its last sentence, without its own name or a path
+// before it.
 std::string last_sentence(const std::string& messages);
 
 }  // namespace promenade::app

@@ -38,8 +38,8 @@ void forget_ended_openers() {
 
 // Whoever opens it goes on without the desk, in a group of its own.
 void show_with_system(const std::string& path) {
-  const std::string chosen = variable("PROMENADE_OPENER");
-  std::string program = chosen.empty() ? "xdg-open" : chosen;
+  std::string program = variable("PROMENADE_OPENER");
+  if (program.empty()) program = "xdg-open";
   std::string file = path;
   char* words[] = {program.data(), file.data(), nullptr};
   posix_spawn_file_actions_t files{};

@@ -283,7 +283,11 @@ TomlValue new_item(std::string_view name, const std::vector<TomlValue>& items,
                        {"targets", toml_array({target})}});
   }
   if (name == "rating") {
-    return toml_table({{"item", toml_text(own)}, {"question", toml_text("?")}});
+    return toml_table(
+        {{"item", toml_text(own)},
+         {"question",
+          toml_table({{"en", toml_text("How satisfied are you with this walk?")},
+                      {"ja", toml_text("この歩き方にどのくらい満足していますか。")}})}});
   }
   if (name == "stimulus") {
     const TomlValue part =

@@ -8,6 +8,7 @@
 #include "app/desk/column.h"
 #include "app/desk/pages.h"
 #include "app/desk/plan_power.h"
+#include "app/desk/readiness.h"
 #include "app/number_box.h"
 #include "app/registry.h"
 #include "app/scroll_area.h"
@@ -121,8 +122,9 @@ void PlanPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
   const StudyReading* const reading = study_.reading();
   if (reading != nullptr && !reading->bundle) {
     Column column(ui, inside(ui, inner, 24));
-    return column.words(ui.look.fonts.reading, ui.look.palette.alarm,
-                        words("shell.cannot_run") + "\n" + to_text(reading->problems.front()));
+    return column.words(
+        ui.look.fonts.reading, ui.look.palette.alarm,
+        words("shell.cannot_run") + "\n" + problem_words(reading->problems.front(), words));
   }
   const float wide = ui.layout.size(440);
   const Box panel{inner.right() - wide, inner.y, wide, inner.height};

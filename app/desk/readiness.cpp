@@ -19,16 +19,24 @@ std::string name_of(const std::string& check, const study::Texts& words) {
 
 }  // namespace
 
+std::string problem_words(const Problem& problem, const study::Texts& words) {
+  if (problem.line == 0) return problem.message;
+  return words.with("shell.at_line",
+                    {{"line", std::to_string(problem.line)}, {"message", problem.message}});
+}
+
 std::vector<ReadyLine> lines_of_study(const StudyReading* reading, const study::Texts& words) {
   if (reading == nullptr) return {{Light::unknown, words("run.study"), words("run.reading")}};
   std::vector<ReadyLine> lines;
   if (!reading->bundle) {
-    lines.push_back({Light::red, words("run.study"), to_text(reading->problems.front())});
+    lines.push_back(
+        {Light::red, words("run.study"), problem_words(reading->problems.front(), words)});
   } else if (reading->problems.empty()) {
     lines.push_back({Light::green, words("run.study"), words("run.study_ready")});
   }
   for (const Problem& problem : reading->problems) {
-    if (reading->bundle) lines.push_back({Light::amber, words("run.study"), to_text(problem)});
+    if (reading->bundle)
+      lines.push_back({Light::amber, words("run.study"), problem_words(problem, words)});
   }
   if (!reading->database_problem.empty()) {
     lines.push_back({Light::red, words("run.database"), reading->database_problem});

@@ -23,6 +23,9 @@ std::vector<ReadyLine> lines_of_study(const StudyReading* reading, const study::
 // Of the machine: what `promenade doctor --json` printed. A line that says so when that is none.
 std::vector<ReadyLine> lines_of_doctor(const std::string& json, const study::Texts& words);
 
+// "line 15: ...": the file is known.
+std::string problem_words(const Problem& problem, const study::Texts& words);
+
 // The worst of them; a session should begin when it is green or amber.
 Light worst(const std::vector<ReadyLine>& lines);
 

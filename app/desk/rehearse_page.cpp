@@ -6,6 +6,7 @@
 #include "app/desk/amend_box.h"
 #include "app/desk/column.h"
 #include "app/desk/pages.h"
+#include "app/desk/readiness.h"
 #include "app/number_box.h"
 
 namespace promenade::app {
@@ -69,8 +70,9 @@ void RehearsePage::draw(const Ui& ui, const study::Texts& words, const Box& room
 void RehearsePage::draw_problem(const Ui& ui, const study::Texts& words, const Box& box) {
   const StudyReading* const reading = study_.reading();
   if (reading == nullptr || reading->bundle) return;
-  draw_paragraphs(ui.look.fonts.text, box.x, box.y, box.width, ui.look.palette.alarm,
-                  words("shell.cannot_run") + "\n" + to_text(reading->problems.front()));
+  draw_paragraphs(
+      ui.look.fonts.text, box.x, box.y, box.width, ui.look.palette.alarm,
+      words("shell.cannot_run") + "\n" + problem_words(reading->problems.front(), words));
 }
 
 void RehearsePage::draw_pilot(const Ui& ui, const study::Texts& words, Column& card) {

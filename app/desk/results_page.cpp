@@ -19,7 +19,7 @@ class ResultsPage : public DeskPage {
       : services_(services),
         study_(study),
         people_(services, study.place()),
-        roster_(services, study.place()) {}
+        roster_(services, study) {}
 
   void advance(std::int64_t now_us) override;
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
@@ -32,6 +32,7 @@ class ResultsPage : public DeskPage {
   void draw_data(const Ui& ui, const study::Texts& words, Column& column);
   void draw_stations(const Ui& ui, const study::Texts& words, Column& column);
   void report(const study::Texts& words);
+  void add_kinds(std::vector<std::string>& command) const;
   void export_data(const study::Texts& words, bool open);
   // First what is new at this station goes into what was joined; `then` gets the database to read.
   void with_all_stations(const study::Texts& words,
@@ -43,6 +44,7 @@ class ResultsPage : public DeskPage {
   ResultsRoster roster_;
   bool rostered_ = false;  // the list is the roster
   bool pilots_ = false;    // are in the report
+  bool simulated_ = false;
   Draft other_station_;
   int number_ = -1;
   float high_ = 0;  // of the right side, pixels, as it was drawn last
@@ -105,6 +107,10 @@ void ResultsPage::draw_data(const Ui& ui, const study::Texts& words, Column& col
   if (check_box(ui, "pilots", column.take(32), words("results.with_pilots"), pilots_)) {
     pilots_ = !pilots_;
   }
+  if (people_.has_simulated() &&
+      check_box(ui, "simulated", column.take(32), words("results.with_simulated"), simulated_)) {
+    simulated_ = !simulated_;
+  }
   if (button(ui, "report", column.take(48), words("results.make_report"), ButtonKind::filled,
              can)) {
     report(words);
@@ -156,11 +162,16 @@ void ResultsPage::with_all_stations(const study::Texts& words,
                        });
 }
 
+void ResultsPage::add_kinds(std::vector<std::string>& command) const {
+  if (pilots_) command.emplace_back("--include-pilot");
+  if (simulated_) command.emplace_back("--include-simulated");
+}
+
 void ResultsPage::report(const study::Texts& words) {
   with_all_stations(words, [this, &words](const fs::path& database) {
     const study::StudyPlace& place = study_.place();
     std::vector<std::string> command{"report", database, "--out", place.report()};
-    if (pilots_) command.emplace_back("--include-pilot");
+    add_kinds(command);
     if (study::is_there(place.exclusions())) {
       command.insert(command.end(), {"--exclude", place.exclusions()});
     }
@@ -177,7 +188,7 @@ void ResultsPage::export_data(const study::Texts& words, bool open) {
     const fs::path folder = open ? place.public_data() : place.data();
     std::vector<std::string> command{"export", database, "--out", folder};
     if (open) command.emplace_back("--public");
-    if (pilots_) command.emplace_back("--include-pilot");
+    add_kinds(command);
     services_.jobs.start(words("results.exporting"), command, [this, folder](const Job& job) {
       if (job.exit_code() == 0) services_.show(folder);
     });

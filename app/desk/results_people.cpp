@@ -43,6 +43,11 @@ void ResultsPeople::read() {
   for (const analysis::Exclusion& one : exclusions_) shown_.push_back(one.reason);
 }
 
+bool ResultsPeople::has_simulated() const {
+  return std::any_of(sessions_.begin(), sessions_.end(),
+                     [](const study::ListedSession& one) { return one.simulated; });
+}
+
 const study::ListedSession* ResultsPeople::chosen() const {
   for (const study::ListedSession& one : sessions_) {
     if (one.uuid == chosen_) return &one;

@@ -28,6 +28,7 @@ class ResultsPeople {
   void draw_list(const Ui& ui, const study::Texts& words, const Box& box);
   // What can be done about the chosen one.
   void draw_chosen(const Ui& ui, const study::Texts& words, Column& column, std::int64_t now_us);
+  bool has_simulated() const;
   const std::vector<std::string>& shown_words() const { return shown_; }
 
  private:

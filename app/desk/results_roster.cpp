@@ -20,6 +20,9 @@ void ResultsRoster::read() {
   }
   shown_ = {trouble_};
   for (const study::RosterRow& row : rows_) shown_.push_back(row.station);
+  const auto bundle = study_.bundle();
+  const int planned = bundle ? bundle->study.participants : 0;
+  if (rows_.empty() && planned > 0) people_.value = std::min(planned, 1000);
   if (rows_.empty()) return;
   people_.value =
       static_cast<int>(std::count_if(rows_.begin(), rows_.end(), [](const study::RosterRow& row) {
@@ -85,7 +88,8 @@ void ResultsRoster::draw_chosen(const Ui& ui, const study::Texts& words, Column&
   const bool idle = !services_.jobs.busy();
   if (const study::RosterRow* const row = chosen()) {
     const std::string code = row->code;
-    const bool done = row->state == study::Attendance::done;
+    const bool over =
+        row->state == study::Attendance::done || row->state == study::Attendance::replaced;
     draw_line(ui.look.fonts.title, column.take(36), ui.look.palette.text, code);
     const Box line = column.take(40, 20);
     if (button(ui, "no_show", part_of_row(ui, line, 0, 2), words("results.no_show"),
@@ -93,7 +97,7 @@ void ResultsRoster::draw_chosen(const Ui& ui, const study::Texts& words, Column&
       return command(words, {"--no-show", code});
     }
     if (button(ui, "replace", part_of_row(ui, line, 1, 2), words("results.replace"),
-               ButtonKind::outlined, idle && !done)) {
+               ButtonKind::outlined, idle && !over)) {
       return command(words, {"--replace", code});
     }
   }

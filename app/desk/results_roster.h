@@ -15,8 +15,8 @@ namespace promenade::app {
 
 class ResultsRoster {
  public:
-  ResultsRoster(DeskServices& services, const study::StudyPlace& place)
-      : services_(services), place_(place) {}
+  ResultsRoster(DeskServices& services, const OpenStudy& study)
+      : services_(services), study_(study), place_(study.place()) {}
 
   void read();
   void draw_list(const Ui& ui, const study::Texts& words, const Box& box);
@@ -28,6 +28,7 @@ class ResultsRoster {
   const study::RosterRow* chosen() const;
 
   DeskServices& services_;
+  const OpenStudy& study_;
   study::StudyPlace place_;
   std::vector<study::RosterRow> rows_;
   std::string chosen_, trouble_;  // chosen: a code

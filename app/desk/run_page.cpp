@@ -67,6 +67,7 @@ class RunPage : public DeskPage {
   Draft code_, station_;
   std::string doctor_;  // what it printed; empty: it was not asked
   std::vector<std::string> shown_;
+  float high_ = 0;  // of the right side, pixels, as it was drawn last
   std::int64_t now_us_ = 0;
 };
 
@@ -86,8 +87,11 @@ void RunPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
   const Box panel{inner.right() - wide, inner.y, wide, inner.height};
   draw_ready(ui, words, {inner.x, inner.y, panel.x - inner.x - ui.layout.size(16), inner.height});
   fill(panel, ui.look.palette.panel);
-  Column column(ui, inside(ui, panel, 24));
-  draw_start(ui, words, column);
+  scrolled("start", panel, high_, [&](const Box& all) {
+    Column column(ui, inside(ui, all, 24));
+    draw_start(ui, words, column);
+    high_ = column.left().y - all.y + ui.layout.size(12);
+  });
 }
 
 void RunPage::draw_ready(const Ui& ui, const study::Texts& words, const Box& box) {
@@ -105,7 +109,7 @@ void RunPage::draw_ready(const Ui& ui, const study::Texts& words, const Box& box
   const float gap = ui.layout.size(12);
   const Box room = column.left();
   ImFont* const font = ui.look.fonts.text;
-  const float text = room.width - side - 3 * gap;
+  const float text = room.width - side - 3 * gap - ImGui::GetStyle().ScrollbarSize;
   float high = 0;
   for (const ReadyLine& line : all) {
     high += paragraphs_height(font, text, line.says) + font->FontSize + 2 * gap;

@@ -34,13 +34,15 @@ void DeskJobs::start(const std::string& name, const std::vector<std::string>& ar
 
 // What is told may start the next one, so that jobs_ moves.
 void DeskJobs::look() {
-  for (std::size_t i = 0; i < jobs_.size(); ++i) {
-    jobs_[i].job->look();
-    if (jobs_[i].job->running() || jobs_[i].told) continue;
-    jobs_[i].told = true;
-    const std::function<void(const Job&)> ended = std::move(jobs_[i].ended);
-    if (ended) ended(*jobs_[i].job);
+  std::vector<std::function<void()>> to_tell;
+  for (DeskJob& one : jobs_) {
+    one.job->look();
+    if (one.job->running() || one.told) continue;
+    one.told = true;
+    if (!one.ended) continue;
+    to_tell.emplace_back([tell = std::move(one.ended), job = one.job.get()] { tell(*job); });
   }
+  for (const std::function<void()>& tell : to_tell) tell();
   // What failed waits to be seen; of what ended well the last is enough.
   const auto well = [this](const DeskJob& one) {
     return &one != &jobs_.back() && one.told && (one.job->exit_code() == 0 || one.job->stopped());
