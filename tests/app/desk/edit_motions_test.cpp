@@ -71,13 +71,13 @@ TEST_F(EditMotions, PreviewsAnInterfaceWithItsControls) {
 
 TEST_F(EditMotions, PreviewsNothingWhileTheFiguresAreOfAnotherSet) {
   press("side/2");
-  ASSERT_TRUE(has("pick", "happy"));
+  ASSERT_TRUE(has("open", "preview"));
   const std::string other = with("builtin:A", "builtin:N");
   reread(with_error(other));
   ASSERT_TRUE(edit_->check()->has_errors());
-  EXPECT_FALSE(has("pick", "happy"));
+  EXPECT_FALSE(has("open", "preview"));
   reread(other);
-  EXPECT_TRUE(has("pick", "happy"));
+  EXPECT_TRUE(has("open", "preview"));
 }
 
 TEST_F(EditMotions, ShowsWhichFeaturesGoTogether) {
