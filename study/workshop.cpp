@@ -231,6 +231,13 @@ void Workshop::take_in(const LoopOrder& order, std::shared_ptr<const motion::Loo
   ++revision_;
 }
 
+void Workshop::refuse(const LoopOrder& order, const ReadCapture& why) {
+  for (auto& [key, read] : read_) {
+    if (read.review == order.review) read = why;
+  }
+  settle();
+}
+
 // Takes without a loop that could have one get the best, as `set build` would choose.
 void Workshop::choose_missing(State& state) const {
   for (WorkshopTake& take : state.takes) {

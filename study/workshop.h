@@ -90,6 +90,8 @@ class Workshop {
   std::shared_ptr<const motion::LoopReview> loop(const WalkPlace& walk) const;
   std::optional<LoopOrder> uncut() const;
   void take_in(const LoopOrder& order, std::shared_ptr<const motion::LoopReview> loop);
+  // Cutting it failed for `why`: its take counts as one that cannot be read.
+  void refuse(const LoopOrder& order, const ReadCapture& why);
 
   // What somebody does; each can be undone.
   void describe(const std::string& name, const std::string& credit);

@@ -92,8 +92,12 @@ const std::vector<PlacedProblem>& EditPage::problems() const {
   return check_ ? check_->problems : none;
 }
 
+// A line that is being written counts, though it is not in the draft yet.
+bool EditPage::unsaved() const { return draft_ && (!draft_->saved() || line_.differs(*draft_)); }
+
 void EditPage::save() {
   if (!draft_) return;
+  line_.take(*draft_);
   saved_ = report_of_saving([this] { draft_->save(); });
 }
 
@@ -105,6 +109,7 @@ void EditPage::hear_keys() {
 
 // Undo, or redo: `again`. What it changes comes into sight.
 void EditPage::go_back(bool again) {
+  line_.take(*draft_);
   const std::string before = draft_->text();
   again ? draft_->redo() : draft_->undo();
   const std::string& now = draft_->text();
@@ -148,7 +153,7 @@ void EditPage::draw(const Ui& ui, const study::Texts& words, const Box& room) {
 std::string EditPage::state_key() const {
   if (draft_->disk() == Disk::both) return "edit.both";
   if (draft_->disk() == Disk::gone) return "edit.gone";
-  return draft_->saved() ? "edit.saved" : "edit.not_saved";
+  return unsaved() ? "edit.not_saved" : "edit.saved";
 }
 
 void EditPage::draw_head(const Ui& ui, const study::Texts& words, const Box& box) {
@@ -169,7 +174,7 @@ void EditPage::draw_head(const Ui& ui, const study::Texts& words, const Box& box
             calm ? palette.quiet : palette.steps.front(), words(key));
   if (icon_button(ui, "press", "undo", undo_box, Icon::undo, draft_->can_undo())) go_back(false);
   if (icon_button(ui, "press", "redo", redo_box, Icon::redo, draft_->can_redo())) go_back(true);
-  if (button(ui, "save", save_box, words("edit.save"), ButtonKind::filled, !draft_->saved())) {
+  if (button(ui, "save", save_box, words("edit.save"), ButtonKind::filled, unsaved())) {
     save();
   }
 }

@@ -28,7 +28,7 @@ class EditPage : public DeskPage {
   void draw_figures(FigureRenderer& renderer, const Gui& gui) override;
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
   bool moves() const override;
-  bool unsaved() const override { return draft_ && !draft_->saved(); }
+  bool unsaved() const override;
   void save() override;
   const std::vector<std::string>& shown_words() const override { return shown_; }
 

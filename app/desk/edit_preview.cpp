@@ -31,7 +31,9 @@ void EditPreview::draw(const FormPass& pass, const Box& box,
                        const std::shared_ptr<const study::StudyBundle>& bundle,
                        EditFigures& figures) {
   const Ui& ui = pass.ui;
-  if (bundle == nullptr) {
+  // The figures follow the newest text, and an interface the last one without errors, which may
+  // have been of another set.
+  if (bundle == nullptr || bundle->set_sha256 != figures.bundle().set_sha256) {
     draw_paragraphs(ui.look.fonts.text, box.x, box.y + ui.layout.size(8), box.width,
                     ui.look.palette.quiet, pass.words("edit.no_preview"));
     return;

@@ -16,6 +16,8 @@ namespace promenade::app {
 
 class EditPreview {
  public:
+  // `bundle`: of the last text without errors; null: there was none. While it is of another set
+  // than the figures are, nothing can be tried.
   void draw(const FormPass& pass, const Box& box,
             const std::shared_ptr<const study::StudyBundle>& bundle, EditFigures& figures);
   bool working() const { return work_.working(); }

@@ -29,6 +29,11 @@ std::string said(const InputError& error) {
   return problem.file.empty() ? problem.message : to_text(problem);
 }
 
+// Of a take that took more than its file has to give: no memory, a disk that fails.
+study::ReadCapture failed(const std::string& file, const std::exception& error) {
+  return {nullptr, {{file, 0, 0, error.what(), Severity::error}}};
+}
+
 }  // namespace
 
 // What the thread and the page both look at.
@@ -38,7 +43,7 @@ struct TakesWork::Making {
   MadeSet result;  // written by the thread before it delivers
 };
 
-TakesWork::TakesWork() = default;
+TakesWork::TakesWork(TakesTools tools) : tools_(std::move(tools)) {}
 
 TakesWork::~TakesWork() { stop_making(); }
 
@@ -78,7 +83,12 @@ void TakesWork::read_next() {
   if (!source) return;
   reading_now_ = true;
   reading_.ask([this, source = *source, options = shop_.options()](const std::stop_token&) {
-    auto read = std::make_shared<study::ReadCapture>(study::read_capture(source, options));
+    auto read = std::make_shared<study::ReadCapture>();
+    try {
+      *read = tools_.read(source, options);
+    } catch (const std::exception& error) {
+      *read = failed(source.file, error);
+    }
     return study::WorkQueue::Result([this, source, read] {
       reading_now_ = false;
       shop_.take_in(source, std::move(*read));
@@ -96,11 +106,17 @@ void TakesWork::cut_next() {
   if (!order) return;
   cutting_now_ = true;
   cutting_.ask([this, order = *order, options = shop_.options()](const std::stop_token&) {
-    auto loop = std::make_shared<const motion::LoopReview>(
-        motion::review_loop(order.review->take, order.keys, options));
-    return study::WorkQueue::Result([this, order, loop] {
+    std::shared_ptr<const motion::LoopReview> loop;
+    study::ReadCapture trouble;
+    try {
+      loop = std::make_shared<const motion::LoopReview>(
+          tools_.cut(order.review->take, order.keys, options));
+    } catch (const std::exception& error) {
+      trouble = failed(order.review->take.source, error);
+    }
+    return study::WorkQueue::Result([this, order, loop, trouble] {
       cutting_now_ = false;
-      shop_.take_in(order, loop);
+      loop ? shop_.take_in(order, loop) : shop_.refuse(order, trouble);
     });
   });
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,9 +24,18 @@ struct MadeSet {
   bool done() const { return !working && !file.empty() && trouble.empty() && !stopped; }
 };
 
+// What its threads do. Whatever they throw is said of the take.
+struct TakesTools {
+  std::function<study::ReadCapture(const motion::TakeSource&, const motion::SetOptions&)> read =
+      study::read_capture;
+  std::function<motion::LoopReview(const motion::Take&, const std::vector<double>& keys,
+                                   const motion::SetOptions&)>
+      cut = motion::review_loop;
+};
+
 class TakesWork {
  public:
-  TakesWork();
+  explicit TakesWork(TakesTools tools = {});
   ~TakesWork();
   TakesWork(const TakesWork&) = delete;
   TakesWork& operator=(const TakesWork&) = delete;
@@ -76,6 +86,7 @@ class TakesWork {
   void cut_next();
   void finish_making();
 
+  TakesTools tools_;
   study::Workshop shop_;
   std::string trouble_;
   std::string looked_at_;  // file

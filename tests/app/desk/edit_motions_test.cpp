@@ -20,7 +20,18 @@ class EditMotions : public bench::EditBench {
     const std::vector<std::string>& walking = edit_->walks().walking();
     return std::find(walking.begin(), walking.end(), name) != walking.end();
   }
+  // Somebody wrote that into the file.
+  void reread(const std::string& text) {
+    write_file(file_, text);
+    now_us_ += 1'000'000;
+    frames(1);
+    check();
+  }
 };
+
+std::string with_error(std::string text) {
+  return text.replace(text.find("kind = \"find\""), 13, "kind = \"findd\"");
+}
 
 class EditManyMotions : public EditMotions {
  protected:
@@ -56,6 +67,17 @@ TEST_F(EditMotions, PreviewsAnInterfaceWithItsControls) {
   click("pick", "happy");
   frames(60);
   EXPECT_FALSE(edit_->preview().weights().isApprox(before));
+}
+
+TEST_F(EditMotions, PreviewsNothingWhileTheFiguresAreOfAnotherSet) {
+  press("side/2");
+  ASSERT_TRUE(has("open", "preview"));
+  const std::string other = with("builtin:A", "builtin:N");
+  reread(with_error(other));
+  ASSERT_TRUE(edit_->check()->has_errors());
+  EXPECT_FALSE(has("open", "preview"));
+  reread(other);
+  EXPECT_TRUE(has("open", "preview"));
 }
 
 TEST_F(EditMotions, ShowsWhichFeaturesGoTogether) {

@@ -180,6 +180,27 @@ TEST_F(Edit, KeepsWhatWasWrittenInALineThatIsLeft) {
   EXPECT_EQ(text(), with("# A study to edit.", "# Another head."));
 }
 
+TEST_F(Edit, SavesTheLineThatIsBeingWritten) {
+  write("file_line", "# Another head.");
+  EXPECT_TRUE(edit_->unsaved());
+  control(GLFW_KEY_S);
+  EXPECT_EQ(read_file(file_), with("# A study to edit.", "# Another head."));
+  EXPECT_FALSE(edit_->unsaved());
+  type("!");
+  EXPECT_TRUE(edit_->unsaved());
+  edit_->save();
+  EXPECT_EQ(read_file(file_), with("# A study to edit.", "# Another head.!"));
+}
+
+TEST_F(Edit, PutsALineThatIsBeingWrittenIntoNoOther) {
+  write("file_line", "# Another head.");
+  write_file(file_, "# New.\n" + text_);
+  now_us_ += 1'000'000;
+  edit_->advance(now_us_);
+  edit_->save();
+  EXPECT_EQ(read_file(file_), "# New.\n" + text_);
+}
+
 TEST_F(Edit, RepairsAFileThatCannotBeRead) {
   write_file(file_, with("[study]", "[study"));
   now_us_ += 1'000'000;
