@@ -23,10 +23,12 @@ void DeskJobs::start(const std::string& name, const std::vector<std::string>& ar
                      std::function<void(const Job& job)> ended, JobKind kind) {
   trouble_.clear();
   try {
-    jobs_.push_back({.name = name,
-                     .job = std::make_unique<Job>(program_, arguments),
-                     .ended = std::move(ended),
-                     .kind = kind});
+    DeskJob one;
+    one.name = name;
+    one.job = std::make_unique<Job>(program_, arguments);
+    one.ended = std::move(ended);
+    one.kind = kind;
+    jobs_.push_back(std::move(one));
   } catch (const OutsideError& error) {
     trouble_ = error.what();
   }
