@@ -37,7 +37,7 @@ class StudiesPage : public DeskPage {
   void draw_row(const Ui& ui, const study::Texts& words, const ShelvedStudy& one, const Box& box);
   void draw_chosen(const Ui& ui, const study::Texts& words, Column& column);
   void draw_new(const Ui& ui, const study::Texts& words, Column& column);
-  bool name_box(const Ui& ui, const study::Texts& words, const char* target, Draft& draft,
+  bool name_box(const Ui& ui, const std::string& hint, const char* target, Draft& draft,
                 const Box& box);
   const ShelvedStudy* chosen() const;
   // Does it, and takes the study that comes of it; says why not.
@@ -196,10 +196,9 @@ void StudiesPage::draw_row(const Ui& ui, const study::Texts& words, const Shelve
   choose(name);
 }
 
-bool StudiesPage::name_box(const Ui& ui, const study::Texts& words, const char* target,
-                           Draft& draft, const Box& box) {
-  text_box(ui, target, box, draft,
-           {.most = 60, .several = false, .hint = words("studies.name_hint").c_str()}, now_us_);
+bool StudiesPage::name_box(const Ui& ui, const std::string& hint, const char* target, Draft& draft,
+                           const Box& box) {
+  text_box(ui, target, box, draft, {.most = 60, .several = false, .hint = hint.c_str()}, now_us_);
   return draft.entered;
 }
 
@@ -217,7 +216,8 @@ void StudiesPage::draw_chosen(const Ui& ui, const study::Texts& words, Column& c
   if (button(ui, "open", first, words("studies.open"), ButtonKind::filled)) {
     return services_.open(place);
   }
-  const bool entered = name_box(ui, words, "other_name", other_name_, column.take(40));
+  const bool entered =
+      name_box(ui, words("studies.other_hint"), "other_name", other_name_, column.take(40));
   const Box row = column.take(40, 28);
   const std::string name = other_name_.text.words();
   const bool named = !name.empty();
@@ -252,7 +252,8 @@ void StudiesPage::draw_new(const Ui& ui, const study::Texts& words, Column& colu
   }
   const std::string key = key_of_template(templates_[template_]);
   column.words(ui.look.fonts.text, palette.quiet, words("studies.template." + key + ".says"), 8);
-  const bool entered = name_box(ui, words, "new_name", new_name_, column.take(40));
+  const bool entered =
+      name_box(ui, words("studies.name_hint"), "new_name", new_name_, column.take(40));
   const std::string name = new_name_.text.words();
   if (button(ui, "make", column.take(44), words("studies.make"), ButtonKind::filled) || entered) {
     attempt([&] {
