@@ -40,14 +40,13 @@ TakesPage::TakesPage(const std::string& folder)
 void TakesPage::advance(std::int64_t now_us) {
   now_us_ = now_us;
   work_.advance(now_us);
+  foot_.follow_recipe();
 }
 
 void TakesPage::dropped(const std::vector<std::string>& paths) {
   work_.add(paths);
   list_.browse(false);
-  for (const std::string& path : paths) {
-    if (path.ends_with(".toml") && work_.trouble().empty()) foot_.follow_recipe(path);
-  }
+  foot_.follow_recipe();
 }
 
 bool TakesPage::moves() const { return !work_.shop().takes().empty() || work_.busy(); }

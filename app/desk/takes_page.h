@@ -24,6 +24,8 @@ class TakesPage : public DeskPage {
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
   void dropped(const std::vector<std::string>& paths) override;
   bool moves() const override;
+  bool unsaved() const override { return work_.unsaved(); }
+  void save() override { foot_.save(); }
   const std::vector<std::string>& shown_words() const override;
 
   TakesWork& work() { return work_; }

@@ -247,6 +247,60 @@ TEST_F(TakesDesk, OpensItsRecipeAgain) {
   EXPECT_EQ(again.work().shop().takes().size(), 3U);
 }
 
+TEST_F(TakesDesk, IsUnsavedUntilTheSetIsMade) {
+  captures_.add_walks();
+  EXPECT_FALSE(page_.unsaved());
+  bring();
+  EXPECT_TRUE(page_.unsaved());
+  click("press", "make");
+  ASSERT_TRUE(wait_until([this] { return page_.work().made().done(); }));
+  EXPECT_FALSE(page_.unsaved());
+  click("remove", "walk_sad_001.bvh/0");
+  EXPECT_TRUE(page_.unsaved());
+  undo();
+  EXPECT_FALSE(page_.unsaved());
+}
+
+TEST_F(TakesDesk, SavesItsRecipeWhereNoOtherLies) {
+  captures_.add_walks();
+  bring();
+  page_.save();
+  EXPECT_FALSE(page_.unsaved());
+  TakesPage again(studies());
+  EXPECT_EQ(again.foot().file(), studies() + "/sets/walks-2.set");
+  again.dropped({studies() + "/sets/walks.recipe.toml"});
+  EXPECT_EQ(again.work().shop().takes().size(), 3U);
+  EXPECT_FALSE(again.unsaved());
+}
+
+TEST_F(TakesDesk, StaysUnsavedWhereNothingCanBeWritten) {
+  captures_.add_walks();
+  bring();
+  write_file(studies() + "/sets", "in the way");
+  page_.save();
+  EXPECT_FALSE(page_.work().made().trouble.empty());
+  EXPECT_TRUE(page_.unsaved());
+  fs::remove(studies() + "/sets");
+  page_.save();
+  EXPECT_EQ(page_.work().made().trouble, "");
+  EXPECT_FALSE(page_.unsaved());
+}
+
+TEST_F(TakesDesk, BringsBackWhatARecipeTookThePlaceOf) {
+  captures_.add_walks();
+  bring();
+  page_.work().save(captures_.file("other/old.set"));
+  click("remove", "walk_sad_001.bvh/0");
+  page_.dropped({captures_.file("other/old.recipe.toml")});
+  settle();
+  EXPECT_EQ(names().size(), 3U);
+  EXPECT_EQ(page_.foot().file(), captures_.file("other/old.set"));
+  undo();
+  EXPECT_EQ(names().size(), 2U);
+  EXPECT_EQ(page_.foot().file(), studies() + "/sets/walks.set");
+  EXPECT_TRUE(page_.unsaved());
+}
+
 TEST_F(TakesDesk, SaysWhyASetCannotBeMade) {
   captures_.add_walks();
   bring();
