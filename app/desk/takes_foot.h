@@ -17,6 +17,7 @@ class TakesFoot {
   void draw_fields(const Ui& ui, const study::Texts& words, const Box& box, std::int64_t now_us);
   void draw(const Ui& ui, const study::Texts& words, const Box& box);
   std::string file() const;  // of the set
+  const std::string& credit() const { return credit_.text.words(); }
   // The set lies beside the recipe that was opened; when that is undone, where it was to lie
   // before.
   void follow_recipe();
