@@ -13,6 +13,12 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view recipe_ending = ".recipe.toml";
 
+std::string whole(const std::string& folder) {
+  std::error_code error;
+  const fs::path path = fs::absolute(folder, error);
+  return error ? folder : path.lexically_normal().string();
+}
+
 std::string free_file(const std::string& folder) {
   for (int number = 1;; ++number) {
     const std::string name = number == 1 ? "walks" : "walks-" + std::to_string(number);
@@ -36,7 +42,8 @@ std::string counted(const study::Texts& words, const char* key, std::size_t coun
 
 }  // namespace
 
-TakesFoot::TakesFoot(TakesWork& work, const std::string& folder) : work_(work), folder_(folder) {
+TakesFoot::TakesFoot(TakesWork& work, const std::string& folder)
+    : work_(work), folder_(whole(folder)) {
   file_.text.set(free_file(folder_));
 }
 
