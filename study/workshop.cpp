@@ -128,21 +128,20 @@ void Workshop::open(const std::string& recipe_file) {
   take_over(recipe.takes, false);
   take_over(recipe.left_out, true);
   std::error_code error;
-  recipe_folder_ = fs::absolute(recipe.folder, error).lexically_normal().generic_string();
-  while (recipe_folder_.size() > 1 && recipe_folder_.ends_with('/')) recipe_folder_.pop_back();
-  history_.assign(1, State{});
-  now_ = 0;
-  history_[0] = std::move(next);
-  gesture_ = 0;
-  settle();
+  next.recipe = fs::absolute(recipe_file, error).lexically_normal().string();
+  std::string& folder = next.recipe_folder;
+  folder = fs::absolute(recipe.folder, error).lexically_normal().generic_string();
+  while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
+  commit(std::move(next));
 }
 
 std::string Workshop::folder() const {
   std::vector<std::string> files;
   for (const WorkshopTake& take : takes()) files.push_back(take.source.file);
   std::string common = common_folder(files);
-  const bool below = common == recipe_folder_ || common.starts_with(recipe_folder_ + "/");
-  return !recipe_folder_.empty() && below ? recipe_folder_ : common;
+  const std::string& said = state().recipe_folder;
+  const bool below = common == said || common.starts_with(said + "/");
+  return !said.empty() && below ? said : common;
 }
 
 std::string Workshop::label(std::size_t take) const {
@@ -320,6 +319,7 @@ void Workshop::settle() {
 
 void Workshop::commit(State next, int gesture) {
   constexpr std::size_t most = 200;
+  next.step = ++steps_;
   history_.resize(now_ + 1);
   if (gesture != 0 && gesture == gesture_) {
     history_.back() = std::move(next);

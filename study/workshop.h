@@ -68,8 +68,9 @@ class Workshop {
   // Captures, each with a style guessed from its name; what is there already is passed by. How
   // many were added.
   int add(const std::vector<std::string>& files);
-  // Instead of all that is here. Throws InputError.
+  // Instead of all that is here; undo brings that back. Throws InputError.
   void open(const std::string& recipe);
+  const std::string& recipe() const { return state().recipe; }  // that was opened; empty: none
 
   const std::vector<WorkshopTake>& takes() const { return state().takes; }  // sorted by files
   const motion::SetOptions& options() const { return state().options; }
@@ -111,11 +112,15 @@ class Workshop {
   void undo();
   void redo();
   int revision() const { return revision_; }  // grows with all that is seen
+  // Of what somebody did: another number after each change, and the same one again after undo.
+  int step() const { return state().step; }
 
  private:
   struct State {
     motion::SetOptions options;
     std::vector<WorkshopTake> takes;
+    std::string recipe, recipe_folder;  // that was opened, and where it says the takes are
+    int step = 0;
   };
   const State& state() const { return history_[now_]; }
   void commit(State state, int gesture = 0);
@@ -132,8 +137,7 @@ class Workshop {
   std::map<LoopOrder, std::shared_ptr<const motion::LoopReview>> loops_;
   std::vector<Verdict> verdicts_;
   std::vector<const ReadCapture*> found_;  // of each take, in read_; null: not read yet
-  std::string recipe_folder_;              // of the recipe that was opened
-  int revision_ = 0;
+  int revision_ = 0, steps_ = 0;
 };
 
 }  // namespace promenade::study

@@ -13,13 +13,25 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view recipe_ending = ".recipe.toml";
 
+std::string whole(const std::string& folder) {
+  std::error_code error;
+  const fs::path path = fs::absolute(folder, error);
+  return error ? folder : path.lexically_normal().string();
+}
+
 std::string free_file(const std::string& folder) {
   for (int number = 1;; ++number) {
     const std::string name = number == 1 ? "walks" : "walks-" + std::to_string(number);
     const fs::path file = fs::path(folder) / "sets" / (name + ".set");
     std::error_code error;
-    if (!fs::exists(file, error)) return file.string();
+    const bool there = fs::exists(file, error) || fs::exists(study::recipe_beside(file), error);
+    if (!there) return file.string();
   }
+}
+
+std::string set_beside(std::string recipe) {
+  const std::string_view ending = recipe.ends_with(recipe_ending) ? recipe_ending : ".toml";
+  return recipe.replace(recipe.size() - ending.size(), ending.size(), ".set");
 }
 
 std::string counted(const study::Texts& words, const char* key, std::size_t count) {
@@ -30,16 +42,21 @@ std::string counted(const study::Texts& words, const char* key, std::size_t coun
 
 }  // namespace
 
-TakesFoot::TakesFoot(TakesWork& work, const std::string& folder) : work_(work), folder_(folder) {
+TakesFoot::TakesFoot(TakesWork& work, const std::string& folder)
+    : work_(work), folder_(whole(folder)) {
   file_.text.set(free_file(folder_));
 }
 
-void TakesFoot::follow_recipe(const std::string& recipe) {
-  std::string set = recipe;
-  const std::size_t ending = recipe.ends_with(recipe_ending) ? recipe_ending.size() : 5;
-  set.replace(set.size() - ending, ending, ".set");
-  file_.text.set(set);
-  credit_.text.set(work_.shop().options().credit);
+void TakesFoot::follow_recipe() {
+  const std::string& recipe = work_.shop().recipe();
+  if (recipe == recipe_) return;
+  if (recipe_.empty()) {
+    own_file_ = file_.text.words();
+    own_credit_ = credit_.text.words();
+  }
+  recipe_ = recipe;
+  file_.text.set(recipe.empty() ? own_file_ : set_beside(recipe));
+  credit_.text.set(recipe.empty() ? own_credit_ : work_.shop().options().credit);
 }
 
 std::string TakesFoot::file() const {
@@ -134,10 +151,20 @@ void TakesFoot::draw_state(const Ui& ui, const study::Texts& words, const Box& b
             below);
 }
 
+void TakesFoot::describe(const std::string& set) {
+  work_.shop().describe(fs::path(set).stem().string(), credit_.text.words());
+}
+
 void TakesFoot::make() {
   const std::string set = file();
-  work_.shop().describe(fs::path(set).stem().string(), credit_.text.words());
+  describe(set);
   work_.make(set);
+}
+
+void TakesFoot::save() {
+  const std::string set = file().empty() ? free_file(folder_) : file();
+  describe(set);
+  work_.save(set);
 }
 
 }  // namespace promenade::app

@@ -18,7 +18,9 @@ class TakesList {
   bool browsing() const { return browsing_; }
   void draw_folders(const Ui& ui, const study::Texts& words, const Box& box);
   void browse(bool on) { browsing_ = on; }
-  const std::vector<std::string>& names();  // of the takes, short
+  const FileList& folders() const { return files_; }
+  const std::string& path() const { return path_.text.words(); }  // as it is being written
+  const std::vector<std::string>& names();                        // of the takes, short
 
  private:
   void take_path();

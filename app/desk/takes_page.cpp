@@ -40,23 +40,38 @@ TakesPage::TakesPage(const std::string& folder)
 void TakesPage::advance(std::int64_t now_us) {
   now_us_ = now_us;
   work_.advance(now_us);
+  foot_.follow_recipe();
 }
 
 void TakesPage::dropped(const std::vector<std::string>& paths) {
   work_.add(paths);
   list_.browse(false);
-  for (const std::string& path : paths) {
-    if (path.ends_with(".toml") && work_.trouble().empty()) foot_.follow_recipe(path);
-  }
+  foot_.follow_recipe();
 }
 
 bool TakesPage::moves() const { return !work_.shop().takes().empty() || work_.busy(); }
 
+// What is shown beside the takes, and changes without them: troubles, what is being written, the
+// lines of a file.
+std::vector<std::string> TakesPage::words_beside() const {
+  std::vector<std::string> words = {work_.trouble(), work_.made().file, work_.made().trouble,
+                                    foot_.file(),    foot_.credit(),    list_.path(),
+                                    set_.written()};
+  for (const study::FileLine& line : lines_) words.push_back(line.text);
+  if (!list_.browsing()) return words;
+  words.push_back(list_.folders().folder());
+  for (const ListedFile& file : list_.folders().files()) words.push_back(file.name);
+  return words;
+}
+
 const std::vector<std::string>& TakesPage::shown_words() const {
   const study::Workshop& shop = work_.shop();
-  if (shown_revision_ == shop.revision()) return shown_;
+  std::vector<std::string> beside = words_beside();
+  if (shown_revision_ == shop.revision() && shown_beside_ == beside) return shown_;
   shown_revision_ = shop.revision();
-  shown_ = {shop.folder(), work_.trouble(), work_.made().file, work_.made().trouble, foot_.file()};
+  shown_beside_ = std::move(beside);
+  shown_ = shown_beside_;
+  shown_.push_back(shop.folder());
   for (std::size_t t = 0; t < shop.takes().size(); ++t) {
     const motion::TakeSource& source = shop.takes()[t].source;
     shown_.insert(shown_.end(), {source.file, source.style, shop.verdict(t).reason});

@@ -24,12 +24,15 @@ class TakesPage : public DeskPage {
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
   void dropped(const std::vector<std::string>& paths) override;
   bool moves() const override;
+  bool unsaved() const override { return work_.unsaved(); }
+  void save() override { foot_.save(); }
   const std::vector<std::string>& shown_words() const override;
 
   TakesWork& work() { return work_; }
   const TakesFoot& foot() const { return foot_; }
 
  private:
+  std::vector<std::string> words_beside() const;
   void draw_middle(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_nothing_yet(const Ui& ui, const study::Texts& words, const Box& box);
   void draw_take(const Ui& ui, const study::Texts& words, const Box& box);
@@ -51,7 +54,7 @@ class TakesPage : public DeskPage {
   std::vector<study::FileLine> lines_;
   bool forgotten_ = false;  // somebody wants the take off the list
   std::int64_t now_us_ = 0;
-  mutable std::vector<std::string> shown_;
+  mutable std::vector<std::string> shown_, shown_beside_;
   mutable int shown_revision_ = -1;
 };
 

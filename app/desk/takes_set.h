@@ -20,6 +20,7 @@ class TakesSet {
   void draw_figures(FigureRenderer& renderer, const Gui& gui);
   void draw(const Ui& ui, const study::Texts& words, const Box& box);
   bool writing() const { return renamed_.has_value(); }
+  const std::string& written() const { return written_; }  // a name
 
  private:
   using Key = std::pair<std::string, std::size_t>;  // file and cycle

@@ -41,6 +41,7 @@ struct TakesWork::Making {
   std::atomic<bool> stop = false;
   std::atomic<double> share = 0;
   MadeSet result;  // written by the thread before it delivers
+  int step = 0;    // of the workshop
 };
 
 TakesWork::TakesWork(TakesTools tools) : tools_(std::move(tools)) {}
@@ -58,6 +59,7 @@ void TakesWork::add(const std::vector<std::string>& paths) {
     try {
       shop_.open(path);
       looked_at_.clear();
+      kept_ = shop_.step();
     } catch (const InputError& error) {
       trouble_ = said(error);
     }
@@ -214,6 +216,7 @@ void TakesWork::make(const std::string& set_file) {
   made_ = {.working = true, .file = set_file, .trouble = {}};
   const std::string recipe = study::recipe_beside(set_file);
   making_ = std::make_shared<Making>();
+  making_->step = shop_.step();
   made_of_ = study::recipe_text(shop_, recipe);
   compared_ = -1;
   maker_.ask([this, set_file, recipe, text = made_of_,
@@ -241,6 +244,19 @@ void TakesWork::make(const std::string& set_file) {
   });
 }
 
+void TakesWork::save(const std::string& set_file) {
+  if (made_.working) return;  // which writes the same file
+  const std::string recipe = study::recipe_beside(set_file);
+  try {
+    write_file(recipe, study::recipe_text(shop_, recipe));
+    kept_ = shop_.step();
+    if (made_.file.empty()) made_.trouble.clear();
+  } catch (const std::exception& error) {
+    made_ = {};
+    made_.trouble = error.what();
+  }
+}
+
 bool TakesWork::changed_since_made() {
   if (compared_ == shop_.revision()) return changed_;
   compared_ = shop_.revision();
@@ -250,6 +266,7 @@ bool TakesWork::changed_since_made() {
 
 void TakesWork::finish_making() {
   made_ = making_->result;
+  if (made_.done()) kept_ = making_->step;
   making_.reset();
 }
 

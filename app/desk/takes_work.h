@@ -76,6 +76,10 @@ class TakesWork {
   // Writes the recipe beside the set, and the set.
   void make(const std::string& set_file);
   void stop_making();
+  // The recipe alone, where it lies beside the set; made().trouble says why not.
+  void save(const std::string& set_file);
+  // There are walks, and something was done since they were opened, saved or made.
+  bool unsaved() const { return shop_.step() != kept_ && !shop_.walks().empty(); }
   const MadeSet& made() const { return made_; }
   // The set that was made last is not what would be made now.
   bool changed_since_made();
@@ -101,6 +105,7 @@ class TakesWork {
       loops_;  // by file and cycle
   MadeSet made_;
   std::string made_of_;  // the recipe
+  int kept_ = 0;         // the step of the workshop that is on the disk
   bool changed_ = false;
   int compared_ = -1;  // the revision of the workshop that `changed_` is of
   std::shared_ptr<Making> making_;

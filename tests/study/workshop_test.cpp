@@ -109,6 +109,23 @@ TEST_F(Takes, ComeBackFromTheirRecipeAsTheyWere) {
   EXPECT_EQ(again.walks().size(), 2U);
 }
 
+TEST_F(Takes, ThatARecipeTakesThePlaceOfComeBackByUndo) {
+  captures_.add_walks();
+  bring();
+  write_file(recipe_file(), recipe_text(workshop_, recipe_file()));
+  workshop_.rename({take("walk_sad_001.bvh"), 0}, "gloomy");
+  const int step = workshop_.step();
+  workshop_.open(recipe_file());
+  read_all(workshop_);
+  EXPECT_EQ(names(), (Names{"happy_1", "happy_2", "sad_1"}));
+  EXPECT_EQ(workshop_.recipe(), recipe_file());
+  EXPECT_NE(workshop_.step(), step);
+  workshop_.undo();
+  EXPECT_EQ(names(), (Names{"happy_1", "happy_2", "gloomy"}));
+  EXPECT_EQ(workshop_.recipe(), "");
+  EXPECT_EQ(workshop_.step(), step);
+}
+
 TEST_F(Takes, OfARecipeThatFindsItsCyclesGiveTheSameOnesAtTheDesk) {
   captures_.add_walks();
   const std::string file = captures_.file("plain.toml");

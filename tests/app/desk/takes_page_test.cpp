@@ -45,6 +45,12 @@ class TakesDesk : public bench::HandsTest {
     frames(2);
   }
   void undo() { control(GLFW_KEY_Z); }
+  bool shows(const std::string& text) const {
+    const std::vector<std::string>& words = page_.shown_words();
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+      return word.find(text) != std::string::npos;
+    });
+  }
   std::vector<std::string> names() {
     std::vector<std::string> names;
     for (const study::WalkPlace& walk : page_.work().shop().walks()) {
@@ -247,6 +253,60 @@ TEST_F(TakesDesk, OpensItsRecipeAgain) {
   EXPECT_EQ(again.work().shop().takes().size(), 3U);
 }
 
+TEST_F(TakesDesk, IsUnsavedUntilTheSetIsMade) {
+  captures_.add_walks();
+  EXPECT_FALSE(page_.unsaved());
+  bring();
+  EXPECT_TRUE(page_.unsaved());
+  click("press", "make");
+  ASSERT_TRUE(wait_until([this] { return page_.work().made().done(); }));
+  EXPECT_FALSE(page_.unsaved());
+  click("remove", "walk_sad_001.bvh/0");
+  EXPECT_TRUE(page_.unsaved());
+  undo();
+  EXPECT_FALSE(page_.unsaved());
+}
+
+TEST_F(TakesDesk, SavesItsRecipeWhereNoOtherLies) {
+  captures_.add_walks();
+  bring();
+  page_.save();
+  EXPECT_FALSE(page_.unsaved());
+  TakesPage again(studies());
+  EXPECT_EQ(again.foot().file(), studies() + "/sets/walks-2.set");
+  again.dropped({studies() + "/sets/walks.recipe.toml"});
+  EXPECT_EQ(again.work().shop().takes().size(), 3U);
+  EXPECT_FALSE(again.unsaved());
+}
+
+TEST_F(TakesDesk, StaysUnsavedWhereNothingCanBeWritten) {
+  captures_.add_walks();
+  bring();
+  write_file(studies() + "/sets", "in the way");
+  page_.save();
+  EXPECT_FALSE(page_.work().made().trouble.empty());
+  EXPECT_TRUE(page_.unsaved());
+  fs::remove(studies() + "/sets");
+  page_.save();
+  EXPECT_EQ(page_.work().made().trouble, "");
+  EXPECT_FALSE(page_.unsaved());
+}
+
+TEST_F(TakesDesk, BringsBackWhatARecipeTookThePlaceOf) {
+  captures_.add_walks();
+  bring();
+  page_.work().save(captures_.file("other/old.set"));
+  click("remove", "walk_sad_001.bvh/0");
+  page_.dropped({captures_.file("other/old.recipe.toml")});
+  settle();
+  EXPECT_EQ(names().size(), 3U);
+  EXPECT_EQ(page_.foot().file(), captures_.file("other/old.set"));
+  undo();
+  EXPECT_EQ(names().size(), 2U);
+  EXPECT_EQ(page_.foot().file(), studies() + "/sets/walks.set");
+  EXPECT_TRUE(page_.unsaved());
+}
+
 TEST_F(TakesDesk, SaysWhyASetCannotBeMade) {
   captures_.add_walks();
   bring();
@@ -257,6 +317,38 @@ TEST_F(TakesDesk, SaysWhyASetCannotBeMade) {
   ASSERT_TRUE(wait_until([this] { return !page_.work().made().working; }));
   EXPECT_FALSE(page_.work().made().trouble.empty());
   EXPECT_FALSE(fs::exists(studies() + "/sets/walks.set"));
+}
+
+TEST_F(TakesDesk, HasTheCharactersOfATroubleAndOfWhatIsWritten) {
+  EXPECT_FALSE(shows("無"));
+  page_.dropped({captures_.file("無.toml")});
+  EXPECT_TRUE(shows("無"));
+  click("type", "credit");
+  type("歩");
+  EXPECT_TRUE(shows("歩"));
+  click("type", "path");
+  type("道");
+  EXPECT_TRUE(shows("道"));
+  write_file(studies() + "/sets", "in the way");
+  page_.save();
+  EXPECT_TRUE(shows(page_.work().made().trouble));
+}
+
+TEST_F(TakesDesk, HasTheCharactersOfTheLinesOfABrokenFile) {
+  captures_.add_walks();
+  captures_.add_broken();
+  bring();
+  const std::string line = study::lines_around(captures_.folder() + "/walk_broken_001.bvh",
+                                               study::WalkCaptures::lost_line, 1, 3, 64)
+                               .front()
+                               .text;
+  click("take", "walk_broken_001.bvh");
+  EXPECT_TRUE(shows(line));
+}
+
+TEST_F(TakesDesk, PutsASetIntoAFolderThatIsNamedFromHere) {
+  const TakesPage page("nowhere/studies");
+  EXPECT_EQ(page.foot().file(), (fs::current_path() / "nowhere/studies/sets/walks.set").string());
 }
 
 TEST_F(TakesDesk, FindsCapturesInItsFolders) {
