@@ -4,10 +4,10 @@
 #include <filesystem>
 
 #include "app/desk/desk_foot.h"
-#include "app/desk/edit_page.h"
+#include "app/desk/edit/edit_page.h"
 #include "app/desk/pages.h"
-#include "app/desk/takes_page.h"
-#include "app/desk/watch_page.h"
+#include "app/desk/takes/takes_page.h"
+#include "app/desk/watch/watch_page.h"
 #include "app/desk/words.h"
 #include "motion/problem.h"
 

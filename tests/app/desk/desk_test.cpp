@@ -1,5 +1,5 @@
 // Around the pages: places, languages, what is not saved, what a stopped desk leaves.
-#include "desk_bench.h"
+#include "tests/app/desk/desk_bench.h"
 
 namespace promenade::app {
 namespace {

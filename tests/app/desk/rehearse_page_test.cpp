@@ -1,5 +1,5 @@
 // What the desk asks for when a study is rehearsed, and what it does with the answer.
-#include "desk_bench.h"
+#include "tests/app/desk/desk_bench.h"
 
 namespace promenade::app {
 namespace {

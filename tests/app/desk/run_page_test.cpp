@@ -2,8 +2,8 @@
 #include "app/desk/readiness.h"
 #include "app/desk/words.h"
 #include "app/registry.h"
-#include "desk_bench.h"
 #include "study/store.h"
+#include "tests/app/desk/desk_bench.h"
 
 namespace promenade::app {
 namespace {

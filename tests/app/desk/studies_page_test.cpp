@@ -1,5 +1,5 @@
 // The list of studies, by mouse and by keyboard.
-#include "desk_bench.h"
+#include "tests/app/desk/desk_bench.h"
 
 namespace promenade::app {
 namespace {
