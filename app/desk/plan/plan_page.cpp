@@ -50,6 +50,7 @@ class PlanPage : public DeskPage {
 
   void advance(std::int64_t now_us) override;
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
+  bool moves() const override { return work_.working() || timing_.working(); }
   const std::vector<std::string>& shown_words() const override { return shown_; }
 
  private:

@@ -7,7 +7,13 @@ namespace {
 
 class PlanDesk : public bench::DeskBench {
  protected:
-  PlanDesk() : study_(make_study("Walks")) { open(study_, DeskPlace::plan); }
+  PlanDesk() : study_(make_study("Walks")) { plan(study_); }
+  // Waits until nothing on the page changes any more.
+  void plan(const study::StudyPlace& study) {
+    open(study, DeskPlace::plan);
+    ASSERT_TRUE(wait_until([this] { return !desk_.moves(); }));
+    frames(2);
+  }
   study::StudyPlace study_;
 };
 
@@ -20,6 +26,7 @@ TEST_F(PlanDesk, AsksForPowerAroundTheNumberOfPeople) {
 TEST_F(PlanDesk, TakesAnotherNumberByKeyboard) {
   tab_to("type", "people");
   key(GLFW_KEY_UP);
+  ASSERT_TRUE(wait_until([this] { return !desk_.moves(); }));
   tab_to("press", "power");
   key(GLFW_KEY_ENTER);
   EXPECT_NE(asked().find("--participants 6,13,19,26"), std::string::npos);
@@ -30,7 +37,7 @@ TEST_F(PlanDesk, PlansAsManyPeopleAsTheStudySays) {
   std::string text = read_file(large.file());
   text.insert(text.find("[study]") + 8, "participants = 40\n");
   write_file(large.file(), text);
-  bench::DeskBench::open(large, DeskPlace::plan);
+  plan(large);
   press("power");
   EXPECT_NE(asked().find("--participants 20,40,60,80"), std::string::npos);
 }
