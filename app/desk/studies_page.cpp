@@ -7,7 +7,7 @@
 #include "app/choice.h"
 #include "app/desk/column.h"
 #include "app/desk/pages.h"
-#include "app/scroll_area.h"
+#include "app/desk/table.h"
 #include "app/text_box.h"
 #include "motion/problem.h"
 
@@ -16,6 +16,13 @@ namespace {
 
 using study::ShelvedStudy;
 using study::StudyPlace;
+
+constexpr TableColumn columns[] = {
+    {"studies.name", 0.02f, 0.48f},
+    {"studies.state", 0.48f, 0.66f},
+    {"studies.people", 0.66f, 0.8f},
+    {"studies.last_run", 0.8f, 1},
+};
 
 // "studies/oshita-2018.toml" to "oshita-2018".
 std::string key_of_template(const std::string& name) {
@@ -122,7 +129,6 @@ void StudiesPage::draw(const Ui& ui, const study::Texts& words, const Box& room)
 
 void StudiesPage::draw_list(const Ui& ui, const study::Texts& words, const Box& box) {
   const Palette& palette = ui.look.palette;
-  const float head = ui.layout.size(36);
   if (studies_.empty()) {
     Column column(ui, inside(ui, box, 40));
     column.skip(120);
@@ -130,23 +136,8 @@ void StudiesPage::draw_list(const Ui& ui, const study::Texts& words, const Box& 
     column.words(ui.look.fonts.reading, palette.quiet, words("studies.none_hint"));
     return;
   }
-  const auto title = [&](float from, const char* key) {
-    draw_text(ui.look.fonts.text, {box.x + from * box.width, box.y, 0, head}, palette.quiet,
-              words(key));
-  };
-  title(0.02f, "studies.name");
-  title(0.48f, "studies.state");
-  title(0.66f, "studies.people");
-  title(0.8f, "studies.last_run");
-  const float row = ui.layout.size(48);
-  const Box rows{box.x, box.y + head, box.width, box.height - head};
-  scrolled("studies", rows, row * static_cast<float>(studies_.size()), [&](const Box& all) {
-    Box line{all.x, all.y, all.width, row - ui.layout.size(4)};
-    for (const ShelvedStudy& one : studies_) {
-      draw_row(ui, words, one, line);
-      line.y += row;
-    }
-  });
+  draw_table(ui, words, "studies", box, columns, ui.layout.size(48), studies_.size(),
+             [&](std::size_t i, const Box& row) { draw_row(ui, words, studies_[i], row); });
 }
 
 std::string people_words(const study::Texts& words, const ShelvedStudy& one) {
@@ -176,19 +167,19 @@ void StudiesPage::draw_row(const Ui& ui, const study::Texts& words, const Shelve
   const bool marked = name == chosen_;
   fill(box, marked ? palette.known : palette.panel);
   const bool pressed = tile(ui, "study", name, box);
-  const auto cell = [&](float from, float to, ImFont* font, const Rgb& colour,
+  const auto cell = [&](std::size_t column, ImFont* font, const Rgb& colour,
                         std::string_view text) {
-    draw_line(font, {box.x + from * box.width, box.y, (to - from - 0.01f) * box.width, box.height},
-              colour, text);
+    draw_line(font, cell_of(box, columns[column]), colour, text);
   };
-  cell(0.02f, 0.48f, ui.look.fonts.bold, palette.text, name);
+  cell(0, ui.look.fonts.bold, palette.text, name);
   if (!one.problem.empty()) {
-    cell(0.48f, 1, ui.look.fonts.text, palette.alarm, one.problem);
+    draw_line(ui.look.fonts.text, cell_of(box, {"", columns[1].from, 1}), palette.alarm,
+              one.problem);
   } else {
     const std::string state = "studies." + std::string(study::to_text(one.state));
-    cell(0.48f, 0.66f, ui.look.fonts.bold, colour_of(palette, one.state), words(state));
-    cell(0.66f, 0.8f, ui.look.fonts.text, palette.text, people_words(words, one));
-    cell(0.8f, 1, ui.look.fonts.text, palette.quiet,
+    cell(1, ui.look.fonts.bold, colour_of(palette, one.state), words(state));
+    cell(2, ui.look.fonts.text, palette.text, people_words(words, one));
+    cell(3, ui.look.fonts.text, palette.quiet,
          one.last_run_utc.empty() ? "–" : one.last_run_utc.substr(0, 10));
   }
   if (!pressed) return;

@@ -3,12 +3,21 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/scroll_area.h"
+#include "app/desk/table.h"
 #include "motion/files.h"
 #include "study/identity.h"
 #include "study/migrate.h"
 
 namespace promenade::app {
+namespace {
+
+constexpr TableColumn columns[] = {
+    {"results.person", 0.02f, 0.26f}, {"results.kind", 0.26f, 0.4f},
+    {"results.ended", 0.4f, 0.56f},   {"results.trials", 0.56f, 0.66f},
+    {"results.date", 0.66f, 0.82f},   {"results.report", 0.82f, 1},
+};
+
+}  // namespace
 
 // Of all stations, once they were joined.
 std::filesystem::path ResultsPeople::database() const {
@@ -85,21 +94,19 @@ void ResultsPeople::draw_row(const Ui& ui, const study::Texts& words,
     chosen_ = one.uuid;
     reason_ = code_again_ = {};
   }
-  const auto cell = [&](float from, float to, const Rgb& colour, std::string_view text) {
-    draw_line(ui.look.fonts.text,
-              {box.x + from * box.width, box.y, (to - from - 0.01f) * box.width, box.height},
-              colour, text);
+  const auto cell = [&](std::size_t column, const Rgb& colour, std::string_view text) {
+    draw_line(ui.look.fonts.text, cell_of(box, columns[column]), colour, text);
   };
-  cell(0.02f, 0.26f, palette.text, one.participant);
-  cell(0.26f, 0.4f, one.pilot ? palette.pilot : palette.quiet,
+  cell(0, palette.text, one.participant);
+  cell(1, one.pilot ? palette.pilot : palette.quiet,
        words(one.simulated ? "results.simulated"
              : one.pilot   ? "results.pilot"
                            : "results.counts"));
-  cell(0.4f, 0.56f, palette.text, words("results.outcome." + one.outcome));
-  cell(0.56f, 0.66f, palette.quiet, std::to_string(one.trials));
-  cell(0.66f, 0.82f, palette.quiet, one.started_utc.substr(0, 10));
+  cell(2, palette.text, words("results.outcome." + one.outcome));
+  cell(3, palette.quiet, std::to_string(one.trials));
+  cell(4, palette.quiet, one.started_utc.substr(0, 10));
   if (exclusion_of(one.participant) != nullptr) {
-    cell(0.82f, 1, palette.alarm, words("results.excluded"));
+    cell(5, palette.alarm, words("results.excluded"));
   }
 }
 
@@ -112,26 +119,8 @@ void ResultsPeople::draw_list(const Ui& ui, const study::Texts& words, const Box
                  trouble_.empty() ? words("results.nobody") : trouble_);
     return;
   }
-  const float head = ui.layout.size(32);
-  const float row = ui.layout.size(40);
-  const Box rows{box.x, box.y + head, box.width, box.height - head};
-  const float high = row * static_cast<float>(sessions_.size());
-  const float wide = scrolled_width(rows, high);
-  const auto title = [&](float from, const char* key) {
-    draw_text(ui.look.fonts.text, {box.x + from * wide, box.y, 0, head}, palette.quiet, words(key));
-  };
-  title(0.02f, "results.person");
-  title(0.26f, "results.kind");
-  title(0.4f, "results.ended");
-  title(0.56f, "results.trials");
-  title(0.66f, "results.date");
-  scrolled("people", rows, high, [&](const Box& all) {
-    Box line{all.x, all.y, all.width, row - ui.layout.size(2)};
-    for (const study::ListedSession& one : sessions_) {
-      draw_row(ui, words, one, line);
-      line.y += row;
-    }
-  });
+  draw_table(ui, words, "people", box, columns, ui.layout.size(40), sessions_.size(),
+             [&](std::size_t i, const Box& row) { draw_row(ui, words, sessions_[i], row); });
 }
 
 void ResultsPeople::draw_chosen(const Ui& ui, const study::Texts& words, Column& column,

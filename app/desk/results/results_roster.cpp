@@ -3,10 +3,18 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/scroll_area.h"
+#include "app/desk/table.h"
 #include "motion/files.h"
 
 namespace promenade::app {
+namespace {
+
+constexpr TableColumn columns[] = {
+    {"results.code", 0.02f, 0.3f}, {"results.station", 0.3f, 0.45f}, {"results.order", 0.45f, 0.6f},
+    {"results.state", 0.6f, 0.8f}, {"results.replaces", 0.8f, 1},
+};
+
+}  // namespace
 
 void ResultsRoster::read() {
   rows_.clear();
@@ -46,35 +54,23 @@ void ResultsRoster::draw_list(const Ui& ui, const study::Texts& words, const Box
                  trouble_.empty() ? words("results.no_roster") : trouble_);
     return;
   }
-  const float head = ui.layout.size(32);
-  const float row = ui.layout.size(36);
-  const auto cell = [&](const Box& line, float from, float to, const Rgb& colour,
-                        std::string_view text) {
-    draw_line(ui.look.fonts.text,
-              {line.x + from * line.width, line.y, (to - from) * line.width, line.height}, colour,
-              text);
+  draw_table(ui, words, "roster", box, columns, ui.layout.size(36), rows_.size(),
+             [&](std::size_t i, const Box& row) { draw_row(ui, words, rows_[i], row); });
+}
+
+void ResultsRoster::draw_row(const Ui& ui, const study::Texts& words, const study::RosterRow& one,
+                             const Box& box) {
+  const Palette& palette = ui.look.palette;
+  fill(box, one.code == chosen_ ? palette.known : palette.panel);
+  if (tile(ui, "booked", one.code, box)) chosen_ = one.code;
+  const auto cell = [&](std::size_t column, const Rgb& colour, std::string_view text) {
+    draw_line(ui.look.fonts.text, cell_of(box, columns[column]), colour, text);
   };
-  const Box titles{box.x, box.y, box.width, head};
-  cell(titles, 0.02f, 0.3f, palette.quiet, words("results.code"));
-  cell(titles, 0.3f, 0.45f, palette.quiet, words("results.station"));
-  cell(titles, 0.45f, 0.6f, palette.quiet, words("results.order"));
-  cell(titles, 0.6f, 0.8f, palette.quiet, words("results.state"));
-  cell(titles, 0.8f, 1, palette.quiet, words("results.replaces"));
-  const Box room{box.x, box.y + head, box.width, box.height - head};
-  scrolled("roster", room, row * static_cast<float>(rows_.size()), [&](const Box& all) {
-    Box line{all.x, all.y, all.width, row - ui.layout.size(2)};
-    for (const study::RosterRow& one : rows_) {
-      fill(line, one.code == chosen_ ? palette.known : palette.panel);
-      if (tile(ui, "booked", one.code, line)) chosen_ = one.code;
-      cell(line, 0.02f, 0.3f, palette.text, one.code);
-      cell(line, 0.3f, 0.45f, palette.text, one.station);
-      cell(line, 0.45f, 0.6f, palette.text, std::to_string(one.sequence + 1));
-      cell(line, 0.6f, 0.8f, palette.text,
-           words("results.attendance." + std::string(study::to_text(one.state))));
-      cell(line, 0.8f, 1, palette.quiet, one.replaces);
-      line.y += row;
-    }
-  });
+  cell(0, palette.text, one.code);
+  cell(1, palette.text, one.station);
+  cell(2, palette.text, std::to_string(one.sequence + 1));
+  cell(3, palette.text, words("results.attendance." + std::string(study::to_text(one.state))));
+  cell(4, palette.quiet, one.replaces);
 }
 
 void ResultsRoster::command(const study::Texts& words, const std::vector<std::string>& options) {

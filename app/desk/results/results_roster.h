@@ -24,6 +24,8 @@ class ResultsRoster {
   const std::vector<std::string>& shown_words() const { return shown_; }
 
  private:
+  void draw_row(const Ui& ui, const study::Texts& words, const study::RosterRow& one,
+                const Box& box);
   void command(const study::Texts& words, const std::vector<std::string>& options);
   const study::RosterRow* chosen() const;
 
