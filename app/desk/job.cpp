@@ -94,21 +94,8 @@ pid_t start(const std::string& program, std::vector<std::string> words, int outp
 
 std::string own_program() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
-std::string shell_word(const std::string& word) {
-  constexpr const char* plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./:,=+@%";
-  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-  std::string quoted = "'";
-  for (const char letter : word)
-    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-  return quoted + "'";
-}
-
 Job::Job(const std::string& program, const std::vector<std::string>& arguments)
-    : command_("promenade"),
-      output_file_(nameless_file("output")),
-      message_file_(nameless_file("messages")) {
-  for (const std::string& word : arguments) command_ += " " + shell_word(word);
+    : output_file_(nameless_file("output")), message_file_(nameless_file("messages")) {
   try {
     process_ = start(program, arguments, output_file_, message_file_);
   } catch (...) {

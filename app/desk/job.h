@@ -36,14 +36,13 @@ class Job {
   const JobProgress& progress() const { return progress_; }
   const std::string& output() const { return output_; }      // what it printed, so far
   const std::string& messages() const { return messages_; }  // to people, without progress
-  const std::string& command() const { return command_; }    // as somebody would type it
   pid_t process() const { return process_; }
 
  private:
   void read_output();
   void read_messages();
 
-  std::string command_, output_, messages_, unfinished_line_;
+  std::string output_, messages_, unfinished_line_;
   pid_t process_ = 0;
   int output_file_ = -1, message_file_ = -1;
   std::size_t messages_read_ = 0;
@@ -54,8 +53,5 @@ class Job {
 
 // The file of this very program.
 std::string own_program();
-
-// "word" or "'two words'", as a shell takes it.
-std::string shell_word(const std::string& word);
 
 }  // namespace promenade::app

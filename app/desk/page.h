@@ -1,5 +1,5 @@
 // A page of the desk: what fills the window below its tabs. A page is plain state with a function
-// that draws it; what takes longer than a frame is a job (app/desk/jobs.h) or a thread of the
+// that draws it; what takes longer than a frame is a job (app/desk/services.h) or a thread of the
 // page's own.
 #pragma once
 

@@ -64,10 +64,5 @@ TEST(DeskJob, RefusesAProgramThatIsNotThere) {
   EXPECT_THROW(Job("/nowhere/promenade", {}), OutsideError);
 }
 
-TEST(DeskJob, SaysItsCommandAsPeopleWouldTypeIt) {
-  Job job("/bin/true", {"run", "my study.toml", "it's"});
-  EXPECT_EQ(job.command(), "promenade run 'my study.toml' 'it'\\''s'");
-}
-
 }  // namespace
 }  // namespace promenade::app
