@@ -11,12 +11,6 @@ Light light_of(const std::string& verdict) {
   return verdict == "warning" ? Light::amber : Light::red;
 }
 
-// A name that no text knows is shown as it is.
-std::string name_of(const std::string& check, const study::Texts& words) {
-  const std::string* name = words.find("run.check." + check);
-  return name != nullptr ? *name : check;
-}
-
 }  // namespace
 
 std::string problem_words(const Problem& problem, const study::Texts& words) {
@@ -46,15 +40,13 @@ std::vector<ReadyLine> lines_of_study(const StudyReading* reading, const study::
   return lines;
 }
 
-std::vector<ReadyLine> lines_of_doctor(const std::string& json, const study::Texts& words) {
-  const nlohmann::json report = nlohmann::json::parse(json, nullptr, false);
-  if (!report.is_object() || !report.contains("checks")) {
-    return {{Light::red, words("run.machine"), words("run.no_answer")}};
-  }
+std::vector<ReadyLine> read_doctor(const std::string& json) {
   std::vector<ReadyLine> lines;
+  const nlohmann::json report = nlohmann::json::parse(json, nullptr, false);
+  if (!report.is_object() || !report.contains("checks")) return lines;
   for (const nlohmann::json& check : report["checks"]) {
-    lines.push_back({light_of(check.value("verdict", "failure")),
-                     name_of(check.value("name", ""), words), check.value("says", "")});
+    lines.push_back({light_of(check.value("verdict", "failure")), check.value("name", ""),
+                     check.value("says", "")});
   }
   return lines;
 }

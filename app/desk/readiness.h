@@ -20,8 +20,9 @@ struct ReadyLine {
 // Of the study: can it be run, what is it warned of, must it be amended?
 std::vector<ReadyLine> lines_of_study(const StudyReading* reading, const study::Texts& words);
 
-// Of the machine: what `promenade doctor --json` printed. A line that says so when that is none.
-std::vector<ReadyLine> lines_of_doctor(const std::string& json, const study::Texts& words);
+// What `promenade doctor --json` printed: titles are the names of its checks. Empty when that is
+// none.
+std::vector<ReadyLine> read_doctor(const std::string& json);
 
 // "line 15: ...": the file is known.
 std::string problem_words(const Problem& problem, const study::Texts& words);

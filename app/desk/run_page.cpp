@@ -47,7 +47,7 @@ class RunPage : public DeskPage {
  public:
   RunPage(DeskServices& services, OpenStudy& study) : services_(services), study_(study) {}
 
-  void advance(std::int64_t now_us) override { now_us_ = now_us; }
+  void advance(std::int64_t now_us) override;
   void draw(const Ui& ui, const study::Texts& words, const Box& room) override;
   const std::vector<std::string>& shown_words() const override { return shown_; }
 
@@ -65,19 +65,37 @@ class RunPage : public DeskPage {
   AmendBox amend_;
   std::size_t language_ = 0;  // of the study's, from 1; 0: the first page asks
   Draft code_, station_;
-  std::string doctor_;  // what it printed; empty: it was not asked
+  std::vector<ReadyLine> machine_;                    // what the doctor found on this display
+  bool tried_ = false;                                // it was asked
+  std::shared_ptr<const study::StudyBundle> bundle_;  // whose languages these are
+  std::vector<std::string> languages_;                // as people call them
   std::vector<std::string> shown_;
   float high_ = 0;  // of the right side, pixels, as it was drawn last
   std::int64_t now_us_ = 0;
 };
 
+void RunPage::advance(std::int64_t now_us) {
+  now_us_ = now_us;
+  if (study_.bundle() == bundle_) return;
+  bundle_ = study_.bundle();
+  languages_.clear();
+  if (!bundle_) return;
+  for (const std::string& language : bundle_->study.languages) {
+    languages_.push_back(study::texts_of(*bundle_, language)("language"));
+  }
+}
+
+// A name of a check that no text knows is shown as it is.
 std::vector<ReadyLine> RunPage::lines(const study::Texts& words) const {
   std::vector<ReadyLine> all = lines_of_study(study_.reading(), words);
-  const std::vector<ReadyLine> machine =
-      doctor_.empty()
-          ? std::vector<ReadyLine>{{Light::unknown, words("run.machine"), words("run.not_tried")}}
-          : lines_of_doctor(doctor_, words);
-  all.insert(all.end(), machine.begin(), machine.end());
+  for (ReadyLine line : machine_) {
+    if (const std::string* name = words.find("run.check." + line.title)) line.title = *name;
+    all.push_back(std::move(line));
+  }
+  if (machine_.empty()) {
+    all.push_back({tried_ ? Light::red : Light::unknown, words("run.machine"),
+                   words(tried_ ? "run.no_answer" : "run.not_tried")});
+  }
   return all;
 }
 
@@ -132,18 +150,16 @@ void RunPage::draw_display(const Ui& ui, const study::Texts& words, Column& colu
   names.push_back(words("run.window"));
   if (const auto picked = drop_down(ui, "display", column.take(40, 16), names, services_.display)) {
     services_.display = *picked;
-    doctor_.clear();
+    machine_.clear();
+    tried_ = false;
   }
 }
 
 void RunPage::draw_language(const Ui& ui, const study::Texts& words, Column& column) {
-  const auto bundle = study_.bundle();
-  if (!bundle || bundle->study.languages.size() < 2) return;
+  if (languages_.size() < 2) return;
   draw_text(ui.look.fonts.text, column.take(24, 4), ui.look.palette.quiet, words("run.language"));
   std::vector<std::string> names{words("run.ask")};
-  for (const std::string& language : bundle->study.languages) {
-    names.push_back(study::texts_of(*bundle, language)("language"));
-  }
+  names.insert(names.end(), languages_.begin(), languages_.end());
   if (const auto picked = drop_down(ui, "language_of_study", column.take(40, 16), names,
                                     std::min(language_, names.size() - 1))) {
     language_ = *picked;
@@ -163,8 +179,8 @@ void RunPage::draw_start(const Ui& ui, const study::Texts& words, Column& column
   text_box(ui, "station", column.take(40, 24), station_,
            {.most = 32, .several = false, .hint = "1"}, now_us_);
   const StudyReading* const reading = study_.reading();
-  const bool can = reading != nullptr && reading->bundle && !reading->amendment_due &&
-                   reading->database_problem.empty() && services_.screen_is_free();
+  const bool can = reading != nullptr && worst(lines_of_study(reading, words)) != Light::red &&
+                   services_.screen_is_free();
   if (button(ui, "start", column.take(56, 12), words("run.start"), ButtonKind::filled, can)) {
     start(words);
   }
@@ -181,8 +197,10 @@ void RunPage::try_machine(const study::Texts& words) {
   services_.jobs.start(
       words("run.trying"), command,
       [this](const Job& job) {
-        doctor_ = job.output().empty() ? job.messages() : job.output();
-        shown_ = {doctor_};
+        machine_ = read_doctor(job.output());
+        tried_ = true;
+        shown_.clear();
+        for (const ReadyLine& line : machine_) shown_.push_back(line.says);
       },
       JobKind::screen);
 }
