@@ -14,18 +14,9 @@ constexpr std::size_t most_steps = 1000;
 }  // namespace
 
 StudyDraft::StudyDraft(std::string file) : file_(std::move(file)) {
-  stamp_ = stamp();
+  stamp_ = file_stamp(file_);
   on_disk_ = read_file(file_);
   show(on_disk_);
-}
-
-std::optional<StudyDraft::Stamp> StudyDraft::stamp() const {
-  std::error_code error;
-  Stamp found;
-  found.time = std::filesystem::last_write_time(file_, error);
-  if (error) return std::nullopt;
-  found.size = std::filesystem::file_size(file_, error);
-  return error ? std::nullopt : std::optional(found);
 }
 
 void StudyDraft::show(std::string text) {
@@ -90,10 +81,10 @@ void StudyDraft::redo() {
 }
 
 bool StudyDraft::look() {
-  const std::optional<Stamp> now = stamp();
+  const FileStamp now = file_stamp(file_);
   if (now == stamp_) return false;
   stamp_ = now;
-  if (!now) {
+  if (now.file == 0) {
     disk_ = Disk::gone;
     return true;
   }
@@ -101,7 +92,7 @@ bool StudyDraft::look() {
   try {
     found = read_file(file_);
   } catch (const InputError&) {
-    stamp_.reset();  // it is being replaced: looked at again next time
+    stamp_ = {};  // it is being replaced: looked at again next time
     return false;
   }
   const bool was_gone = disk_ == Disk::gone;
@@ -149,7 +140,7 @@ bool StudyDraft::save() {
   if (disk_ == Disk::both) return false;
   write_file(file_, text_);
   on_disk_ = text_;
-  stamp_ = stamp();
+  stamp_ = file_stamp(file_);
   disk_ = Disk::same;
   end_gesture();
   return true;

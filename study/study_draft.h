@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "study/file_stamp.h"
 #include "study/toml_edit.h"
 #include "study/toml_spans.h"
 
@@ -62,12 +63,6 @@ class StudyDraft {
   bool save();
 
  private:
-  struct Stamp {
-    std::filesystem::file_time_type time;
-    std::uintmax_t size = 0;
-    bool operator==(const Stamp&) const = default;
-  };
-  std::optional<Stamp> stamp() const;
   void show(std::string text);
   void push(std::string_view gesture);
 
@@ -75,7 +70,7 @@ class StudyDraft {
   std::vector<std::string> undo_, redo_;
   TomlValue root_;
   TomlSpans spans_;
-  std::optional<Stamp> stamp_;
+  FileStamp stamp_;
   Disk disk_ = Disk::same;
   int version_ = 0;
 };

@@ -1,7 +1,6 @@
 #include "study/study_shelf.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,14 +19,6 @@ namespace promenade::study {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Of one file: another stamp, another content.
-std::string stamp_of(const fs::path& file) {
-  struct stat state {};
-  if (::stat(file.c_str(), &state) != 0) return "-;";
-  return fmt::format("{}.{}.{}.{};", state.st_ino, state.st_size, state.st_mtim.tv_sec,
-                     state.st_mtim.tv_nsec);
-}
 
 void read_planned(ShelvedStudy& study) {
   const std::string text = read_file(study.place.file());
@@ -158,22 +149,14 @@ void name_study(std::vector<Piece>& pieces, const std::string& name) {
 
 }  // namespace
 
-std::string stamp_of_sessions(const StudyPlace& place) {
-  return stamp_of(place.sessions()) + stamp_of(place.sessions().string() + "-wal");
-}
-
 // The program makes databases and folders there, which are no part of the study.
-std::string stamp_of_files(const StudyPlace& place) {
-  std::string stamp;
-  std::set<std::string> files;
+std::map<std::string, FileStamp> stamps_of_files(const StudyPlace& place) {
+  std::map<std::string, FileStamp> stamps;
   for_each_entry(place.folder, [&](const fs::path& path) {
     const std::string name = path.filename().string();
-    if (name.find(".db") == std::string::npos && is_file(path)) {
-      files.insert(name + stamp_of(path));
-    }
+    if (name.find(".db") == std::string::npos && is_file(path)) stamps[name] = file_stamp(path);
   });
-  for (const std::string& one : files) stamp += one;
-  return stamp;
+  return stamps;
 }
 
 std::string_view to_text(StudyState state) {
@@ -201,9 +184,10 @@ int StudyShelf::count_live(const std::vector<Process>& processes) {
   }));
 }
 
-StudyShelf::Known StudyShelf::read(const StudyPlace& place, const std::string& stamp) {
+StudyShelf::Known StudyShelf::read(const StudyPlace& place) {
   Known known;
-  known.stamp = stamp;
+  known.files = stamps_of_files(place);
+  known.sessions = database_stamp(place.sessions());
   known.study.place = place;
   attempt(known.study, [&] { read_planned(known.study); });
   attempt(known.study, [&] {
@@ -223,9 +207,10 @@ const std::vector<ShelvedStudy>& StudyShelf::look() {
   for_each_entry(folder_, [this](const fs::path& path) {
     const StudyPlace place{path};
     if (place.name().starts_with('.') || !is_file(place.file())) return;
-    const std::string stamp = stamp_of_files(place) + stamp_of_sessions(place);
     Known& known = known_[place.folder.string()];
-    if (known.stamp != stamp) known = read(place, stamp);
+    const bool same =
+        known.files == stamps_of_files(place) && known.sessions == database_stamp(place.sessions());
+    if (!same) known = read(place);
     known.study.live = count_live(known.processes);
     studies_.push_back(known.study);
   });
@@ -278,7 +263,7 @@ StudyPlace StudyShelf::duplicate(const StudyPlace& place, const std::string& nam
 
 StudyPlace StudyShelf::rename(const StudyPlace& place, const std::string& name) {
   StudyPlace renamed{place_for(name)};
-  if (count_live(read(place, "").processes) > 0) {
+  if (count_live(read(place).processes) > 0) {
     throw InputError(place.name(), "has a session that runs; rename it when that has ended");
   }
   const bool unused = !is_there(place.sessions()) && !is_there(place.rehearsal());

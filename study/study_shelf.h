@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "study/file_stamp.h"
+
 namespace promenade::study {
 
 // Where all that belongs to one study lies.
@@ -36,9 +38,8 @@ struct StudyPlace {
   std::string name() const { return folder.filename().string(); }
 };
 
-// Of the study's file and those beside it, and of its sessions: another stamp, another content.
-std::string stamp_of_files(const StudyPlace& place);
-std::string stamp_of_sessions(const StudyPlace& place);
+// Of the study's file and those beside it, by their names; not of databases.
+std::map<std::string, FileStamp> stamps_of_files(const StudyPlace& place);
 
 // draft: nobody has taken part; piloted: pilots only; running: people who count have begun;
 // finished: as many as were planned are done.
@@ -87,11 +88,12 @@ class StudyShelf {
     std::string start;
   };
   struct Known {
-    std::string stamp;
+    std::map<std::string, FileStamp> files;  // when it was read
+    DatabaseStamp sessions;
     ShelvedStudy study;
     std::vector<Process> processes;  // of the sessions that nobody has ended
   };
-  static Known read(const StudyPlace& place, const std::string& stamp);
+  static Known read(const StudyPlace& place);
   static int count_live(const std::vector<Process>& processes);
   std::filesystem::path place_for(const std::string& name) const;
 

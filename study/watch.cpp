@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 
@@ -20,10 +19,6 @@ namespace {
 constexpr int timed_people = 3;
 constexpr int longest_wait_ms = 200;
 constexpr int listed_h = 12;  // since the end of a session
-
-std::int64_t nanoseconds(const timespec& time) {
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
 
 // The header of a session as it stands now; the rest of what is known of it stays.
 void take_header(const Statement& row, FollowedSession& session) {
@@ -106,19 +101,6 @@ Watch::Watch(std::string file, const InterfaceRegistry& registry)
     : file_(std::move(file)), registry_(registry) {}
 Watch::~Watch() = default;
 
-Watch::Stamp Watch::stamp_of(const std::string& file) {
-  Stamp stamp;
-  struct stat state {};
-  if (::stat(file.c_str(), &state) != 0) return stamp;
-  stamp.file = state.st_ino;
-  stamp.file_size = state.st_size;
-  stamp.file_ns = nanoseconds(state.st_mtim);
-  if (::stat((file + "-wal").c_str(), &state) != 0) return stamp;
-  stamp.journal_size = state.st_size;
-  stamp.journal_ns = nanoseconds(state.st_mtim);
-  return stamp;
-}
-
 void Watch::forget() {
   known_.clear();
   listed_.clear();
@@ -155,9 +137,9 @@ const Watched& Watch::look(const std::string& now_utc) {
 void Watch::refresh(const std::string& now_utc) {
   constexpr int tries = 5;
   for (int i = 0; i < tries; ++i) {
-    const Stamp before = stamp_of(file_);
-    if (before.file != stamp_.file && stamp_.file != 0) forget();
-    if (before.file == 0) {
+    const DatabaseStamp before = database_stamp(file_);
+    if (before.file.file != stamp_.file.file && stamp_.file.file != 0) forget();
+    if (before.file.file == 0) {
       forget();
       stamp_ = {};
       now_.waits = true;
@@ -169,7 +151,7 @@ void Watch::refresh(const std::string& now_utc) {
     calm_ = before == stamp_;
     read(now_utc);
     stamp_ = before;
-    if (before.journal_size >= 0 || stamp_of(file_) == before) return;
+    if (before.journal.file != 0 || database_stamp(file_) == before) return;
     forget();
     stamp_ = {};
   }

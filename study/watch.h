@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "study/file_stamp.h"
 #include "study/interface.h"
 #include "study/study.h"
 
@@ -98,13 +99,6 @@ class Watch {
   const Watched& look(const std::string& now_utc);
 
  private:
-  // Which file it is, and whether it or its journal has been written since.
-  struct Stamp {
-    std::uint64_t file = 0;  // 0: there is none
-    std::int64_t file_size = 0, file_ns = 0, journal_size = -1, journal_ns = 0;
-    bool operator==(const Stamp&) const = default;
-  };
-  static Stamp stamp_of(const std::string& file);
   void refresh(const std::string& now_utc);
   void read(const std::string& now_utc);
   void read_study(Database& database);
@@ -116,8 +110,8 @@ class Watch {
 
   std::string file_;
   const InterfaceRegistry& registry_;
-  Stamp stamp_;        // when it was read
-  bool calm_ = false;  // it was read once more since it has changed
+  DatabaseStamp stamp_;  // when it was read
+  bool calm_ = false;    // it was read once more since it has changed
   std::map<std::string, std::unique_ptr<FollowedSession>> known_;  // by uuid
   std::vector<std::string> listed_;                                // uuids, by start
   std::map<std::string, std::unique_ptr<StudyBundle>> studies_;    // null: it cannot be read

@@ -64,12 +64,12 @@ void OpenStudy::look(std::int64_t now_us) {
   if (looked_us_ != INT64_MIN && now_us - looked_us_ < period_us) return;
   if (work_.working()) return;
   looked_us_ = now_us;
-  std::string files = study::stamp_of_files(place_);
-  std::string sessions = study::stamp_of_sessions(place_);
+  auto files = study::stamps_of_files(place_);
+  const study::DatabaseStamp sessions = study::database_stamp(place_.sessions());
   if (files == files_ && sessions == sessions_) return;
   const auto before = files == files_ ? reading_ : nullptr;
   files_ = std::move(files);
-  sessions_ = std::move(sessions);
+  sessions_ = sessions;
   work_.start(
       [place = place_, before](const std::stop_token&) { return read_place(place, before); });
 }

@@ -2,6 +2,7 @@
 // change.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -40,7 +41,8 @@ class OpenStudy {
 
  private:
   study::StudyPlace place_;
-  std::string files_, sessions_;  // stamps
+  std::map<std::string, study::FileStamp> files_;  // when they were read
+  study::DatabaseStamp sessions_;
   std::int64_t looked_us_ = INT64_MIN;
   std::shared_ptr<const StudyReading> reading_;
   int number_ = 0;
