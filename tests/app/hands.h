@@ -10,10 +10,20 @@
 #include <string>
 
 #include "app/focus.h"
+#include "app/gui.h"
 #include "app/window/input_queue.h"
 #include "study/utf8.h"
 
 namespace promenade::app::bench {
+
+// Ready to draw at that size, with the fonts that a graphics card would have asked for.
+inline void fit_without_card(Gui& gui, int width, int height) {
+  gui.fit(width, height);
+  unsigned char* pixels = nullptr;
+  int wide = 0;
+  int high = 0;
+  ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &wide, &high);
+}
 
 class HandsTest : public testing::Test {
  protected:

@@ -11,6 +11,7 @@ import unittest
 import uuid
 
 from program import PROMENADE, ProgramTest
+from virtual_display import Display
 
 STUDY = """
 [study]
@@ -33,15 +34,9 @@ class Control(ProgramTest):
         self.control = self.folder / "x.db.control"
 
     def open_display(self):
-        ends = os.pipe()
-        server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "1280x720x24"],
-            pass_fds=[ends[1]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(ends[1])
-        self.addCleanup(server.wait)
-        self.addCleanup(server.kill)
-        with os.fdopen(ends[0]) as said:
-            return ":" + said.readline().strip()
+        display = Display()
+        self.addCleanup(display.close)
+        return display.name
 
     def start(self):
         environment = {**os.environ, "DISPLAY": self.open_display()}

@@ -6,24 +6,9 @@ import signal
 import subprocess
 import time
 
+from virtual_display import Display
+
 PROMENADE = os.environ["PROMENADE"]
-
-
-class Display:
-    """A virtual display."""
-
-    def __init__(self, width=1280, height=720):
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{width}x{height}x24", "-nolisten", "tcp"],
-            pass_fds=[write], stderr=subprocess.DEVNULL)
-        os.close(write)
-        with open(read) as number:  # to its end: the server dies of a pipe that was closed early
-            self.name = ":" + number.readline().strip()
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait()
 
 
 class Desk:

@@ -10,6 +10,8 @@ import tempfile
 import time
 import unittest
 
+from virtual_display import Display
+
 PROMENADE = os.environ["PROMENADE"]
 STUDY = """
 [study]
@@ -38,15 +40,6 @@ class DisplayLoss(unittest.TestCase):
     def tearDown(self):
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def open_display(self):
-        ends = os.pipe()
-        server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "1280x720x24"],
-            pass_fds=[ends[1]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(ends[1])
-        with os.fdopen(ends[0]) as said:
-            return server, ":" + said.readline().strip()
-
     def wait_for_trial(self, process):
         for _ in range(1200):
             self.assertIsNone(process.poll(), "it ended before the trial")
@@ -57,14 +50,13 @@ class DisplayLoss(unittest.TestCase):
         self.fail("no trial began")
 
     def test_it_says_so_and_keeps_the_session(self):
-        server, display = self.open_display()
+        display = Display()
         process = subprocess.Popen(
             [PROMENADE, "run", self.folder / "lost.toml", "--db", self.db, "--windowed",
-             "--autopilot", "3"], env={**os.environ, "DISPLAY": display},
+             "--autopilot", "3"], env={**os.environ, "DISPLAY": display.name},
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         self.wait_for_trial(process)
-        server.kill()
-        server.wait()
+        display.close()
         _, said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 1)
         self.assertIn("the display went away; the session until then is in", said)

@@ -10,6 +10,7 @@ import time
 import unittest
 
 from program import PROMENADE, ProgramTest
+from virtual_display import Display
 
 STUDY = """
 [study]
@@ -68,15 +69,9 @@ class Monitor(ProgramTest):
         self.assertEqual(watcher.returncode, 0)
 
     def open_display(self):
-        ends = os.pipe()
-        server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(ends[1]), "-screen", "0", "1280x720x24"],
-            pass_fds=[ends[1]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        os.close(ends[1])
-        self.addCleanup(server.wait)
-        self.addCleanup(server.kill)
-        with os.fdopen(ends[0]) as said:
-            return ":" + said.readline().strip()
+        display = Display()
+        self.addCleanup(display.close)
+        return display.name
 
     def wait_for_trial(self, position):
         """The session as soon as it is in this trial or a later one, and one that it is in."""

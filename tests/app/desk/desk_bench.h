@@ -23,11 +23,7 @@ class DeskBench : public HandsTest {
                      shown_.push_back(path);
                    }},
               queue_) {
-    gui_.fit(width, height);
-    unsigned char* pixels = nullptr;
-    int wide = 0;
-    int high = 0;
-    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &wide, &high);
+    fit_without_card(gui_, width, height);
     frames(2);
   }
 

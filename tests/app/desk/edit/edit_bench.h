@@ -48,11 +48,7 @@ class EditBench : public HandsTest {
         words_(desk_texts(language)) {
     write_file(file_, text_);
     edit_ = std::make_unique<EditPage>(file_.string());
-    gui_.fit(width, height);
-    unsigned char* pixels = nullptr;
-    int wide = 0;
-    int high = 0;
-    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &wide, &high);
+    fit_without_card(gui_, width, height);
     frames(2);
   }
 

@@ -17,11 +17,7 @@ class TakesDesk : public bench::HandsTest {
  protected:
   explicit TakesDesk(int width = 1280, int height = 720)
       : words_(desk_texts("en")), gui_(make_palette(false), {"日本語"}), page_(studies()) {
-    gui_.fit(width, height);
-    unsigned char* pixels = nullptr;
-    int wide = 0;
-    int high = 0;
-    ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&pixels, &wide, &high);
+    bench::fit_without_card(gui_, width, height);
     frames(2);
   }
   std::string studies() const { return captures_.file("studies"); }
