@@ -349,7 +349,7 @@ float EditForm::problems_height(const FormPass& pass, const FormRow& row, float 
   const float room = width - in - pass.ui.layout.size(12);
   float high = 0;
   if (row.kind == FormRow::Kind::field && controls_.is_refused(row.path)) {
-    high += paragraphs_height(pass.ui.look.fonts.text, room, pass.words("edit.no_value"));
+    high += paragraphs_height(pass.ui.look.fonts.text, room, refusal_of(row.field, pass.words));
   }
   for (const PlacedProblem* one : problems_of(pass, row)) {
     high += paragraphs_height(pass.ui.look.fonts.text, room, one->problem.message);
@@ -357,12 +357,31 @@ float EditForm::problems_height(const FormPass& pass, const FormRow& row, float 
   return high > 0 ? high + pass.ui.layout.size(8) : 0;
 }
 
+// What the field takes, and that what stands in it is not in the file.
+std::string EditForm::refusal_of(const EditField& field, const study::Texts& words) {
+  const std::vector<std::pair<std::string, std::string>> ends = {
+      {"least", fmt::format("{}", field.least)}, {"most", fmt::format("{}", field.most)}};
+  switch (field.kind) {
+    case FieldKind::whole:
+      return words.with("edit.wants_whole", ends);
+    case FieldKind::number:
+      return words.with("edit.wants_number", ends);
+    case FieldKind::auto_number:
+      return words.with("edit.wants_auto", ends);
+    case FieldKind::shares:
+      return words("edit.wants_shares");
+    default:
+      return words("edit.no_value");
+  }
+}
+
 float EditForm::draw_problems(const FormPass& pass, const FormRow& row, const Box& box) const {
   const Palette& palette = pass.ui.look.palette;
   ImFont* const font = pass.ui.look.fonts.text;
   float y = box.y;
   if (row.kind == FormRow::Kind::field && controls_.is_refused(row.path)) {
-    y += draw_paragraphs(font, box.x, y, box.width, palette.alarm, pass.words("edit.no_value"));
+    y += draw_paragraphs(font, box.x, y, box.width, palette.alarm,
+                         refusal_of(row.field, pass.words));
   }
   for (const PlacedProblem* one : problems_of(pass, row)) {
     const Rgb& colour =

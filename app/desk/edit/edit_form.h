@@ -11,6 +11,8 @@ namespace promenade::app {
 
 class EditForm {
  public:
+  // What to say of a text that is no value for this field: what it takes.
+  static std::string refusal_of(const EditField& field, const study::Texts& words);
   void draw(const Ui& ui, const study::Texts& words, const Box& box, const FormScene& scene);
   // Shows the field of this value, and brings the keyboard to it.
   void go_to(const study::TomlPath& path);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/desk/edit/edit_form.h"
 #include "app/desk/words.h"
 #include "app/registry.h"
 #include "study/toml_text.h"
@@ -62,6 +63,15 @@ TEST(EditFields, ShowWhatTheKindOfATaskNeedsAndWhatTheFileHas) {
   EXPECT_FALSE(is_shown(limit, study::toml_table({{"kind", toml_text("find")}})));
   EXPECT_TRUE(is_shown(
       limit, study::toml_table({{"kind", toml_text("find")}, {"threshold", toml_text("auto")}})));
+}
+
+TEST(EditFields, SayWhatTheyTakeInEveryLanguage) {
+  const EditField people{.key = "people", .kind = FieldKind::whole, .least = 1, .most = 500};
+  for (const std::string& language : desk_languages()) {
+    const std::string words = EditForm::refusal_of(people, desk_texts(language));
+    EXPECT_NE(words.find("500"), std::string::npos) << words;
+    EXPECT_EQ(words.find('{'), std::string::npos) << words;
+  }
 }
 
 }  // namespace
