@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "app/arrows.h"
+
 namespace promenade::app {
 namespace {
 
@@ -14,14 +16,6 @@ std::optional<std::size_t> chosen_by_key(std::size_t count, std::size_t chosen) 
   if (key_pressed(ImGuiKey_DownArrow)) return chosen + 1 < count ? chosen + 1 : count - 1;
   if (key_pressed(ImGuiKey_UpArrow)) return chosen > 0 && chosen < count ? chosen - 1 : 0;
   return std::nullopt;
-}
-
-void draw_arrow(const Ui& ui, const Box& box) {
-  const float half = ui.layout.size(5);
-  const float x = box.right() - ui.layout.size(16);
-  const float y = box.middle_y() - ui.layout.size(2);
-  ImGui::GetWindowDrawList()->AddTriangleFilled({x - half, y}, {x + half, y}, {x, y + half},
-                                                packed(ui.look.palette.quiet));
 }
 
 std::optional<std::size_t> open_list(const Ui& ui, std::string_view target, const Box& box,
@@ -73,7 +67,9 @@ std::optional<std::size_t> drop_down(const Ui& ui, std::string_view target, cons
   const std::string_view shown = chosen < options.size() ? options[chosen] : std::string_view("");
   draw_line(ui.look.fonts.text, {box.x + inset, box.y, box.width - 3 * inset, box.height},
             ui.look.palette.text, shown);
-  draw_arrow(ui, box);
+  const float side = ui.layout.size(14);
+  const Box end{box.right() - inset - side, box.middle_y() - 0.5f * side, side, side};
+  draw_arrow(end, Arrow::unfolded, ui.look.palette.quiet, ui.layout.size(2));
   ImGui::PushID(target.data(), target.data() + target.size());
   if (tile(ui, "open", target, box)) ImGui::OpenPopup("list");
   std::optional<std::size_t> picked = open_list(ui, target, box, options, chosen);
